@@ -30,9 +30,7 @@ struct CardView {
   /// The status word of an axis, whose number counts from 0.
   uint32_t StatusWord(size_t axis) const { return family.status_word(*this, axis); }
   /// The number of the mode of a profile, which itself counts from 0.
-  int ModeNumber(size_t profile) const {
-    return family.mode_number(motion.state().profiles[profile].mode);
-  }
+  int ModeNumber(size_t profile) const { return family.mode_number(motion.profile(profile).mode); }
 };
 
 /// The parts of the card that a command may use. Owned by the runtime's controller.

@@ -3,8 +3,9 @@
 namespace oncard::gtcalls {
 
 size_t CrdDimension(const Card& card, double crd) {
-  for (size_t i = 0; i < motion::kCrdCount; ++i) {
-    if (crd == static_cast<double>(i + 1)) return card.motion.state().crds[i].dimension();
+  const auto& crds = card.motion.part<&motion::MotionState::crds>();
+  for (size_t i = 0; i < crds.size(); ++i) {
+    if (crd == static_cast<double>(i + 1)) return crds[i].dimension();
   }
   return 0;
 }
@@ -15,7 +16,7 @@ namespace {
 size_t OffsetCount(const Card& card, double encoder) {
   for (size_t i = 0; i < motion::kAxisMax; ++i) {
     if (encoder != static_cast<double>(i + 1)) continue;
-    return card.motion.state().capture.capture(i).offsets.size();
+    return card.motion.part<&motion::MotionState::capture>().capture(i).offsets.size();
   }
   return 0;
 }

@@ -393,6 +393,11 @@ void MotionCore::StartProfile(size_t index) {
   if (block_.loaded()) block_.TakeStart(index);
 }
 
+void MotionCore::SetVelocity(size_t index, double velocity) {
+  Profile& profile = state_.profiles[index];
+  (profile.mode == ProfileMode::kTrap ? profile.trap.velocity : profile.jog.velocity) = velocity;
+}
+
 void MotionCore::ServoOn(size_t axis) {
   if (OnBus(axis)) {
     bus_axes().Enable(axis, true);

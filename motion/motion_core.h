@@ -132,6 +132,10 @@ class MotionCore {
   double CountedPosition(size_t encoder) const { return readings().CountedPosition(encoder); }
   /// Begins the run of a profile in its mode (GT_Update, GT_GearStart ...), which must not be Crd.
   void StartProfile(size_t profile);
+  /// Sets the velocity of a profile in mode Trap or Jog (GT_SetVel), and the target of mode Trap
+  /// (GT_SetPos), for its next start. No cycle reads them, so that the card stays in its lanes.
+  void SetVelocity(size_t profile, double velocity);
+  void SetTarget(size_t profile, int32_t target) { state_.profiles[profile].trap.target = target; }
   /// The current sample of a master, for a slave that starts or follows.
   MasterValue ReadMaster(const Master& master) const { return readings().ValueOf(master); }
   /// Level of an input as GT_GetDi reads it; false if there is none.

@@ -46,6 +46,7 @@ void ReserveValues(motion::MotionCore& motion) {
 }
 
 void WriteReachedValues(Card& card) {
+  if (card.motion.part<&motion::MotionState::reached>().empty()) return;
   GtsState& state = card.state<GtsState>();
   for (const motion::BufferedCommand& command : card.motion.state().reached) {
     const BufferedValue value = DecodeValue(command);
@@ -66,7 +67,7 @@ void WriteReachedValues(Card& card) {
 }
 
 bool WillWriteProgram(const motion::MotionCore& motion) {
-  return std::ranges::any_of(motion.state().crds, [](const motion::Crd& crd) {
+  return std::ranges::any_of(motion.part<&motion::MotionState::crds>(), [](const motion::Crd& crd) {
     return crd.WillReach([](const motion::BufferedCommand& command) {
       return command.kind == motion::BufferedKind::kOutside &&
              DecodeValue(command).target == ValueTarget::kProgram;

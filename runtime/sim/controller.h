@@ -149,7 +149,7 @@ class Controller {
   /// commands). Only the host can then resolve the wait by writing variables.
   bool Deadlocked() const;
   /// Profile cycles since power-on.
-  int64_t cycle() const { return motion_.state().cycle; }
+  int64_t cycle() const { return motion_.cycle(); }
   /// The same in milliseconds.
   double NowMs() const;
   /// Microseconds since power-on, including the current cycle.

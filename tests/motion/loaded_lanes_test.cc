@@ -141,6 +141,8 @@ constexpr Change kChanges[] = {
     {"ServoOn", [](MotionCore& core) { core.ServoOn(1); }},
     {"ServoOff", [](MotionCore& core) { core.ServoOff(1); }},
     {"StartProfile", [](MotionCore& core) { core.StartProfile(1); }},
+    {"SetVelocity", [](MotionCore& core) { core.SetVelocity(1, 7); }},
+    {"SetTarget", [](MotionCore& core) { core.SetTarget(1, 7); }},
     {"ClearStatus", [](MotionCore& core) { core.ClearStatus(1); }},
     {"StopProfile", [](MotionCore& core) { core.StopProfile(1, false); }},
     {"StopCommanded", [](MotionCore& core) { core.StopCommanded(1, true); }},

@@ -71,7 +71,7 @@ int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view e
 
 int16_t SwitchAlarm(Call& call, bool on) {
   const int16_t code = CheckConfigured(call, AxisOf(call).alarm, "alarm", "报警");
-  if (code == vm::kOk) AxisOf(call).alarm_on = on;
+  if (code == vm::kOk) ChangeAxis(call).alarm_on = on;
   return code;
 }
 
@@ -84,7 +84,7 @@ namespace {
 
 /// Limit type -1 means both.
 int16_t SwitchLimits(Call& call, bool on) {
-  Axis& axis = AxisOf(call);
+  Axis& axis = ChangeAxis(call);
   const bool positive = call.integer(1) != 1;
   const bool negative = call.integer(1) != 0;
   int16_t code = vm::kOk;
@@ -111,8 +111,8 @@ int16_t gts::GT_SetSoftLimit(Call& call) {
                     "{1}",
                     "正限位 {0} 必须大于负限位 {1}", call.integer(1), call.integer(2)));
   }
-  AxisOf(call).soft_positive = call.integer(1);
-  AxisOf(call).soft_negative = call.integer(2);
+  ChangeAxis(call).soft_positive = call.integer(1);
+  ChangeAxis(call).soft_negative = call.integer(2);
   return vm::kOk;
 }
 
@@ -134,16 +134,16 @@ int16_t gts::GT_SetStopIo(Call& call) {
                     call.integer(2), DiWidth(type)));
   }
   const InputChoice input{type, static_cast<int16_t>(index == kNoInput ? -1 : index - 1)};
-  (call.integer(1) == kAbruptStopType ? AxisOf(call).abrupt_stop : AxisOf(call).smooth_stop) =
-      input;
+  Axis& axis = ChangeAxis(call);
+  (call.integer(1) == kAbruptStopType ? axis.abrupt_stop : axis.smooth_stop) = input;
   return vm::kOk;
 }
 
 // --- Stops -----------------------------------------------------------------------------------
 
 int16_t gts::GT_SetStopDec(Call& call) {
-  ProfileOf(call).smooth_stop = call.value(1);
-  ProfileOf(call).abrupt_stop = call.value(2);
+  ChangeProfile(call).smooth_stop = call.value(1);
+  ChangeProfile(call).abrupt_stop = call.value(2);
   return vm::kOk;
 }
 
@@ -171,9 +171,10 @@ int16_t gts::GT_Stop(Call& call) {
 // --- In position -----------------------------------------------------------------------------
 
 int16_t gts::GT_SetAxisBand(Call& call) {
-  AxisOf(call).band = call.integer(1);
-  AxisOf(call).band_time = call.integer(2) * kTimeUnitUs;
-  AxisOf(call).band_set = true;
+  Axis& axis = ChangeAxis(call);
+  axis.band = call.integer(1);
+  axis.band_time = call.integer(2) * kTimeUnitUs;
+  axis.band_set = true;
   return vm::kOk;
 }
 
@@ -230,8 +231,12 @@ int16_t SetFilter(const Call& call, motion::AxisValue& value) {
 
 }  // namespace
 
-int16_t gts::GT_SetAxisPrfVelFilter(Call& call) { return SetFilter(call, AxisOf(call).profile); }
-int16_t gts::GT_SetAxisEncVelFilter(Call& call) { return SetFilter(call, AxisOf(call).encoder); }
+int16_t gts::GT_SetAxisPrfVelFilter(Call& call) {
+  return SetFilter(call, ChangeAxis(call).profile);
+}
+int16_t gts::GT_SetAxisEncVelFilter(Call& call) {
+  return SetFilter(call, ChangeAxis(call).encoder);
+}
 
 int16_t gts::GT_GetAxisPrfVelFilter(Call& call) {
   call.Set(1, AxisOf(call).profile.filter.exponent);

@@ -15,7 +15,11 @@ using motion::DoType;
 /// Assumption: GT_EnableDoBitPulse has the same time unit as GT_SetDoBitReverse.
 constexpr int64_t kPulseTimeUnitUs = kTimeUnitUs;
 
-DigitalIo& IoOf(const Call& call) { return call.card.motion.state().io; }
+/// To read, and to change it, which takes the card out of its lanes.
+const DigitalIo& IoOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::io>();
+}
+DigitalIo& ChangeIo(const Call& call) { return call.card.motion.state().io; }
 /// The catalogue's range ensures a valid number.
 DiType DiOf(const Call& call) { return *DiTypeOf(call.integer(0)); }
 DoType DoOf(const Call& call) { return *DoTypeOf(call.integer(0)); }
@@ -39,25 +43,25 @@ int BitOf(const Call& call) { return call.integer(1) - 1; }
 // --- Outputs ---------------------------------------------------------------------------------
 
 int16_t gts::GT_SetDo(Call& call) {
-  IoOf(call).Write(DoOf(call), ~uint32_t{0}, BitWord(call.value(1)));
+  ChangeIo(call).Write(DoOf(call), ~uint32_t{0}, BitWord(call.value(1)));
   return vm::kOk;
 }
 
 int16_t gts::GT_SetDoMask(Call& call) {
-  IoOf(call).Write(DoOf(call), BitWord(call.value(1)), BitWord(call.value(2)));
+  ChangeIo(call).Write(DoOf(call), BitWord(call.value(1)), BitWord(call.value(2)));
   return vm::kOk;
 }
 
 int16_t gts::GT_SetDoBit(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
-  IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0, 0);
+  ChangeIo(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0, 0);
   return vm::kOk;
 }
 
 int16_t gts::GT_SetDoBitReverse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
-  IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
-                            call.integer(3) * kTimeUnitUs);
+  ChangeIo(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
+                                call.integer(3) * kTimeUnitUs);
   return vm::kOk;
 }
 
@@ -80,14 +84,14 @@ int16_t gts::GT_EnableDoBitPulse(Call& call) {
                     "0（0 为不限）",
                     high, low, pulses));
   }
-  IoOf(call).StartPulses(DoOf(call), BitOf(call), high * kPulseTimeUnitUs, low * kPulseTimeUnitUs,
-                         pulses, call.integer(5) != 0);
+  ChangeIo(call).StartPulses(DoOf(call), BitOf(call), high * kPulseTimeUnitUs,
+                             low * kPulseTimeUnitUs, pulses, call.integer(5) != 0);
   return vm::kOk;
 }
 
 int16_t gts::GT_DisableDoBitPulse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
-  IoOf(call).StopTiming(DoOf(call), BitOf(call));
+  ChangeIo(call).StopTiming(DoOf(call), BitOf(call));
   return vm::kOk;
 }
 
@@ -116,8 +120,8 @@ int16_t gts::GT_SetDiReverseCount(Call& call) {
   const int count = call.integer(3);
   if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
   for (int i = 0; i < count; ++i) {
-    IoOf(call).SetEdges(DiOf(call), BitOf(call) + i,
-                        BitWord(call.cells(2)[static_cast<size_t>(i)]));
+    ChangeIo(call).SetEdges(DiOf(call), BitOf(call) + i,
+                            BitWord(call.cells(2)[static_cast<size_t>(i)]));
   }
   return vm::kOk;
 }
@@ -131,14 +135,14 @@ int16_t gts::GT_LmtSns(Call& call) {
     positive |= (sense >> (2 * axis) & 1) << axis;
     negative |= (sense >> (2 * axis + 1) & 1) << axis;
   }
-  IoOf(call).SetInverted(DiType::kLimitPositive, positive);
-  IoOf(call).SetInverted(DiType::kLimitNegative, negative);
+  ChangeIo(call).SetInverted(DiType::kLimitPositive, positive);
+  ChangeIo(call).SetInverted(DiType::kLimitNegative, negative);
   return vm::kOk;
 }
 
 /// Assumption: bit n-1 inverts general input n, as for GT_EncSns and encoders.
 int16_t gts::GT_GpiSns(Call& call) {
-  IoOf(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
+  ChangeIo(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
   return vm::kOk;
 }
 

@@ -10,7 +10,7 @@ using motion::FollowMode;
 using motion::FollowSegment;
 using motion::ProfileMode;
 
-FollowMode& FollowOf(const Call& call) { return ProfileOf(call).follow; }
+FollowMode& FollowOf(const Call& call) { return ChangeProfile(call).follow; }
 
 int16_t CheckFollow(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kFollow); }
 int16_t CheckFollowAtRest(Call& call) {

@@ -10,7 +10,7 @@ namespace {
 using motion::GearMode;
 using motion::ProfileMode;
 
-GearMode& GearOf(const Call& call) { return ProfileOf(call).gear; }
+GearMode& GearOf(const Call& call) { return ChangeProfile(call).gear; }
 
 int16_t CheckGear(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kGear); }
 

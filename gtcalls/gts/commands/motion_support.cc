@@ -6,10 +6,11 @@
 namespace oncard::gtcalls {
 
 using motion::Axis;
+using motion::MotionState;
 using motion::ProfileMode;
 
 int16_t CheckAtRest(Call& call, size_t profile) {
-  if (!call.card.motion.state().profiles[profile].now.moving) return vm::kOk;
+  if (!call.card.motion.profile(profile).now.moving) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("profile {0} is moving, call GT_Stop and wait until bit 10 of "
                                  "GT_GetSts is 0",
@@ -19,7 +20,7 @@ int16_t CheckAtRest(Call& call, size_t profile) {
 }
 
 int16_t CheckAxisAtRest(Call& call, size_t axis) {
-  const uint32_t map = call.card.motion.state().axes[axis].profile_map;
+  const uint32_t map = call.card.motion.axis(axis).profile_map;
   for (size_t i = 0; i < call.card.motion.axis_count(); ++i) {
     const int16_t code = (map >> i & 1) != 0 ? CheckAtRest(call, i) : vm::kOk;
     if (code != vm::kOk) return code;
@@ -28,7 +29,7 @@ int16_t CheckAxisAtRest(Call& call, size_t axis) {
 }
 
 int16_t CheckMode(Call& call, size_t profile, ProfileMode mode) {
-  const ProfileMode present = call.card.motion.state().profiles[profile].mode;
+  const ProfileMode present = call.card.motion.profile(profile).mode;
   if (present == mode) return vm::kOk;
   return call.Refuse(vm::kRefused, MakeMessage("profile {0} is in mode {1}; this needs mode {2}",
                                                "规划器 {0} 处于 {1} 模式；该指令需要 {2} 模式",
@@ -55,11 +56,11 @@ int16_t CheckNoGantrySlave(Call& call, size_t axis) {
       MakeMessage("axis {0} is the slave of a gantry: command its master, axis {1}, or call "
                   "GT_DisableGantry",
                   "轴 {0} 是龙门从轴：请控制主轴 {1}，或调用 GT_DisableGantry", axis + 1,
-                  call.card.motion.state().gantry.master + 1));
+                  call.card.motion.part<&MotionState::gantry>().master + 1));
 }
 
 int16_t CheckNotHoming(Call& call, size_t axis) {
-  if (!call.card.motion.state().homing[axis].running) return vm::kOk;
+  if (!call.card.motion.part<&MotionState::homing>()[axis].running) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("axis {0} is homing, wait until it is done or call GT_Stop",
                                  "轴 {0} 正在回零，请等待完成或调用 GT_Stop", axis + 1));
@@ -67,18 +68,20 @@ int16_t CheckNotHoming(Call& call, size_t axis) {
 
 int16_t CheckMayStart(Call& call, size_t profile, double direction) {
   const motion::MotionCore& core = call.card.motion;
-  if (!core.state().profiles[profile].active) {
+  if (!core.profile(profile).active) {
     return call.Refuse(vm::kRefused, MakeMessage("profile {0} is not active in the configuration",
                                                  "规划器 {0} 在配置中未激活", profile + 1));
   }
-  const motion::Gantry& gantry = core.state().gantry;
+  const motion::Gantry& gantry = core.part<&MotionState::gantry>();
   if (gantry.on && (gantry.slave_map >> profile & 1) != 0) {
     const int16_t code = CheckNoGantrySlave(call, profile);
     if (code != vm::kOk) return code;
   }
   for (size_t i = 0; i < core.axis_count(); ++i) {
-    const Axis& axis = core.state().axes[i];
-    if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;
+    const uint32_t map = core.part<&MotionState::axes, &Axis::profile_map>(i);
+    if ((map >> profile & 1) == 0) continue;
+    const Axis& axis = core.axis(i);
+    if (!axis.active) continue;
     const auto refuse = [&](std::string_view en, std::string_view zh) {
       return call.Refuse(vm::kRefused, MakeMessage("axis {0} {1}, call GT_ClrSts",
                                                    "轴 {0} {2}，请调用 GT_ClrSts", i + 1, en, zh));

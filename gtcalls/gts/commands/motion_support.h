@@ -19,11 +19,19 @@ namespace oncard::gtcalls {
 inline size_t NumberOf(const Call& call, size_t index = 0) {
   return static_cast<size_t>(call.integer(index) - 1);
 }
-inline motion::Profile& ProfileOf(const Call& call, size_t index = 0) {
-  return call.card.motion.state().profiles[NumberOf(call, index)];
+/// The profile and the axis, to read.
+inline const motion::Profile& ProfileOf(const Call& call) {
+  return call.card.motion.profile(NumberOf(call));
 }
-inline motion::Axis& AxisOf(const Call& call, size_t index = 0) {
-  return call.card.motion.state().axes[NumberOf(call, index)];
+inline const motion::Axis& AxisOf(const Call& call) {
+  return call.card.motion.axis(NumberOf(call));
+}
+/// The same to change it, which takes the card out of its lanes.
+inline motion::Profile& ChangeProfile(const Call& call) {
+  return call.card.motion.state().profiles[NumberOf(call)];
+}
+inline motion::Axis& ChangeAxis(const Call& call) {
+  return call.card.motion.state().axes[NumberOf(call)];
 }
 
 /// 0, or 1 with the reason when the profile moves.

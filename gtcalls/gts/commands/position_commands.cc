@@ -7,30 +7,23 @@
 #include "gtcalls/gts/profile_modes.h"
 
 namespace oncard::gtcalls {
-namespace {
-
-using motion::MotionState;
-
-const MotionState& StateOf(const Call& call) { return call.card.motion.state(); }
-
-}  // namespace
 
 // --- Profiles --------------------------------------------------------------------------------
 
 int16_t gts::GT_GetPrfPos(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.position; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.position; });
 }
 
 int16_t gts::GT_GetPrfVel(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.velocity; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.velocity; });
 }
 
 int16_t gts::GT_GetPrfAcc(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.acceleration; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.acceleration; });
 }
 
 int16_t gts::GT_GetPrfMode(Call& call) {
-  return ReadEach(call, [&](size_t i) { return GtsModeNumber(StateOf(call).profiles[i].mode); });
+  return ReadEach(call, [&](size_t i) { return GtsModeNumber(call.card.motion.profile(i).mode); });
 }
 
 int16_t gts::GT_SetPrfPos(Call& call) {
@@ -42,32 +35,35 @@ int16_t gts::GT_SetPrfPos(Call& call) {
 // --- Axes ------------------------------------------------------------------------------------
 
 int16_t gts::GT_GetAxisPrfPos(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.position; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).profile.position; });
 }
 
 int16_t gts::GT_GetAxisPrfVel(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.FilteredVelocity(); });
+  return ReadEach(call,
+                  [&](size_t i) { return call.card.motion.axis(i).profile.FilteredVelocity(); });
 }
 
 int16_t gts::GT_GetAxisPrfAcc(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.acceleration; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).profile.acceleration; });
 }
 
 int16_t gts::GT_GetAxisEncPos(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.position; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).encoder.position; });
 }
 
 int16_t gts::GT_GetAxisEncVel(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.FilteredVelocity(); });
+  return ReadEach(call,
+                  [&](size_t i) { return call.card.motion.axis(i).encoder.FilteredVelocity(); });
 }
 
 int16_t gts::GT_GetAxisEncAcc(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.acceleration; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).encoder.acceleration; });
 }
 
 int16_t gts::GT_GetAxisError(Call& call) {
   return ReadEach(call, [&](size_t i) {
-    return StateOf(call).axes[i].profile.position - StateOf(call).axes[i].encoder.position;
+    const motion::Axis& axis = call.card.motion.axis(i);
+    return axis.profile.position - axis.encoder.position;
   });
 }
 
@@ -111,7 +107,7 @@ int16_t gts::GT_ZeroPos(Call& call) {
 // --- Encoders --------------------------------------------------------------------------------
 
 int16_t gts::GT_GetEncPos(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].position; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.encoder(i).position; });
 }
 
 /// Subtracts the counts of the last cycle from the current position, so that setting the position
@@ -119,13 +115,13 @@ int16_t gts::GT_GetEncPos(Call& call) {
 int16_t gts::GT_GetEncPosPre(Call& call) {
   const double cycle_ms = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
   return ReadEach(call, [&](size_t i) {
-    const motion::Encoder& encoder = StateOf(call).encoders[i];
+    const motion::Encoder& encoder = call.card.motion.encoder(i);
     return encoder.position - std::round(encoder.velocity * cycle_ms);
   });
 }
 
 int16_t gts::GT_GetEncVel(Call& call) {
-  return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].velocity; });
+  return ReadEach(call, [&](size_t i) { return call.card.motion.encoder(i).velocity; });
 }
 
 int16_t gts::GT_SetEncPos(Call& call) {

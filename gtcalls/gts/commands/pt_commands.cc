@@ -12,7 +12,7 @@ using motion::PtMode;
 
 int16_t CheckPt(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kPt); }
 
-PtMode& PtOf(const Call& call) { return ProfileOf(call).pt; }
+PtMode& PtOf(const Call& call) { return ChangeProfile(call).pt; }
 
 size_t BufferOf(const Call& call, size_t index) { return static_cast<size_t>(call.integer(index)); }
 

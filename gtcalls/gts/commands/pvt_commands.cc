@@ -26,7 +26,7 @@ constexpr double kElementAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }
 
-PvtMode& PvtOf(const Call& call) { return ProfileOf(call).pvt; }
+PvtMode& PvtOf(const Call& call) { return ChangeProfile(call).pvt; }
 
 std::array<PvtTablePointer, motion::kPvtTableCount>& TablesOf(const Call& call) {
   return call.card.motion.state().pvt_tables;

@@ -48,8 +48,8 @@ int16_t gts::GT_SetTrapPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
   if (code != vm::kOk) return code;
-  ProfileOf(call).trap.parameters = {call.cells(1)[0], call.cells(1)[1], start,
-                                     static_cast<int16_t>(smooth)};
+  ChangeProfile(call).trap.parameters = {call.cells(1)[0], call.cells(1)[1], start,
+                                         static_cast<int16_t>(smooth)};
   return vm::kOk;
 }
 
@@ -67,7 +67,7 @@ int16_t gts::GT_GetTrapPrm(Call& call) {
 int16_t gts::GT_SetPos(Call& call) {
   int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
-  if (code == vm::kOk) ProfileOf(call).trap.target = call.integer(1);
+  if (code == vm::kOk) call.card.motion.SetTarget(NumberOf(call), call.integer(1));
   return code;
 }
 
@@ -88,7 +88,7 @@ int16_t gts::GT_SetJogPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
   if (code != vm::kOk) return code;
-  ProfileOf(call).jog.parameters = {call.cells(1)[0], call.cells(1)[1], smooth};
+  ChangeProfile(call).jog.parameters = {call.cells(1)[0], call.cells(1)[1], smooth};
   return vm::kOk;
 }
 
@@ -108,7 +108,7 @@ namespace {
 
 /// 0, or 1 with the reason if GT_Update and GT_SetVel have no effect in the profile's mode.
 int16_t CheckUpdated(Call& call, size_t profile) {
-  const ProfileMode mode = call.card.motion.state().profiles[profile].mode;
+  const ProfileMode mode = call.card.motion.profile(profile).mode;
   if (mode == ProfileMode::kTrap || mode == ProfileMode::kJog) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("profile {0} is in mode {1}; this needs mode Trap or Jog, call "
@@ -118,25 +118,22 @@ int16_t CheckUpdated(Call& call, size_t profile) {
                                  profile + 1, NameOf(mode)));
 }
 
-/// The velocity register of the profile's mode.
-double& VelocityOf(const Call& call) {
-  motion::Profile& profile = ProfileOf(call);
-  return profile.mode == ProfileMode::kTrap ? profile.trap.velocity : profile.jog.velocity;
-}
-
 }  // namespace
 
 int16_t gts::GT_SetVel(Call& call) {
   int16_t code = CheckUpdated(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
-  if (code == vm::kOk) VelocityOf(call) = call.value(1);
+  if (code == vm::kOk) call.card.motion.SetVelocity(NumberOf(call), call.value(1));
   return code;
 }
 
 int16_t gts::GT_GetVel(Call& call) {
   const int16_t code = CheckUpdated(call, NumberOf(call));
-  if (code == vm::kOk) call.Set(1, VelocityOf(call));
-  return code;
+  if (code != vm::kOk) return code;
+  const motion::Profile& profile = ProfileOf(call);
+  const bool trap = profile.mode == ProfileMode::kTrap;
+  call.Set(1, trap ? profile.trap.velocity : profile.jog.velocity);
+  return vm::kOk;
 }
 
 namespace {
@@ -156,7 +153,7 @@ int16_t gts::GT_Update(Call& call) {
     int16_t code = CheckUpdated(call, i);
     if (code == vm::kOk) code = CheckNotHoming(call, i);
     if (code == vm::kOk) {
-      code = CheckMayStart(call, i, DirectionOf(call.card.motion.state().profiles[i]));
+      code = CheckMayStart(call, i, DirectionOf(call.card.motion.profile(i)));
     }
     if (code != vm::kOk) return code;
   }
