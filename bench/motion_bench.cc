@@ -1,6 +1,6 @@
 // `oncard_bench motion`: measures the time of a profile cycle per axis, how much faster than real
-// time a card runs (also with its axes on a bus), the time of a path segment, and the time of a
-// command of the C API. CPU time, the shortest of several repetitions.
+// time a card runs (also cycle by cycle, and with its axes on a bus), the time of a path segment,
+// and the time of a command of the C API. CPU time, the shortest of several repetitions.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -106,10 +106,39 @@ void MeasureServo() {
     const double faster = PrintTicks(what.c_str(), config, kTicks, seconds);
     fastest = std::max(fastest, faster);
   }
-  PrintTicks("12 axes, Jog with servo, single cycles", config, kTicks, single);
+  PrintTicks("12 axes, Jog with servo, 250 us, ticks", config, kTicks, single);
   const motion::Axis& last = ticked.state().axes[ticked.axis_count() - 1];
   if (last.encoder.velocity < 5) Fail("the drives did not follow");
   std::printf("12 axes with servo: %.0f x real time\n", fastest);
+}
+
+// The same a cycle at a time, as between the calls of a host that looks at its card all the time.
+void MeasureShortWays() {
+  constexpr int64_t kCycles = 200'000;
+  motion::MotionConfig config;
+  config.axis_count = 12;
+  const auto measure = [&](const char* what, const auto& after_each) {
+    motion::MotionCore core(config);
+    BeginServo(core);
+    const double seconds = MeasureCpu([&] {
+      for (int64_t i = 0; i < kCycles; ++i) {
+        core.Advance(1);
+        after_each(core);
+      }
+    });
+    if (core.encoder(0).velocity < 5) Fail("the drives did not follow");
+    PrintTicks(what, config, kCycles, seconds);
+  };
+  double sum = 0;
+  measure("the same, a cycle at a time", [](const motion::MotionCore&) {});
+  measure("  and a position is read",
+          [&](const motion::MotionCore& core) { sum += core.profile(0).now.position; });
+  measure("  and the whole state is read",
+          [&](const motion::MotionCore& core) { sum += core.state().plants[0].position; });
+  measure("  and a profile is started", [](motion::MotionCore& core) { core.StartProfile(0); });
+  measure("  and something is changed",
+          [](motion::MotionCore& core) { core.state().axes[0].band = 5; });
+  if (sum <= 0) Fail("the axes did not move");
 }
 
 // 12 drives on an EtherCAT bus follow jogging axes: state machines, exchange of the process image
@@ -280,6 +309,7 @@ void BenchMotion() {
   MeasureIdle();
   MeasureTrap();
   MeasureServo();
+  MeasureShortWays();
   MeasureBus();
   MeasurePath();
   MeasureRelief();
