@@ -29,7 +29,7 @@ InitOutcome Bus::CheckInit() const {
 InitOutcome Bus::Init(Micros now) {
   if (const InitOutcome outcome = CheckInit(); outcome != InitOutcome::kDone) return outcome;
   Terminate();
-  places_ = PlacesOf(*configured_);
+  mapped_ = std::make_shared<const std::vector<MappedSlave>>(MapSlaves(*configured_));
   image_ = ProcessImage(ImageSize(*configured_));
   phase_ = BusPhase::kInit;
   step_at_ = now;
@@ -65,54 +65,46 @@ bool Bus::ready() const {
 
 // --- Process data --------------------------------------------------------------------------------
 
-std::optional<EntryPlace> Bus::PlaceOf(size_t number, ObjectId id, bool output) const {
-  if (number >= places_.size()) return std::nullopt;
-  const Slave& slave = (*configured_)[number];
-  const ObjectEntry& entry = EntryOf(id);
-  std::optional<EntryPlace> place =
-      FindEntry(output ? slave.outputs : slave.inputs, entry.index, entry.subindex);
-  const SlavePlace& data = places_[number];
-  if (place) place->bit += 8 * (output ? data.outputs : data.inputs);
-  return place;
+const MappedObject* Bus::FindInput(size_t number, ObjectId id) const {
+  if (mapped_ == nullptr || number >= mapped_->size()) return nullptr;
+  return (*mapped_)[number].inputs.Find(id);
+}
+
+const MappedObject* Bus::FindOutput(size_t number, ObjectId id) const {
+  if (mapped_ == nullptr || number >= mapped_->size()) return nullptr;
+  return (*mapped_)[number].outputs.Find(id);
 }
 
 std::optional<int64_t> Bus::Input(size_t number, ObjectId id) const {
-  const std::optional<EntryPlace> place = PlaceOf(number, id, false);
-  if (!place) return std::nullopt;
-  return image_.Get(place->bit, place->bits, EntryOf(id).is_signed());
+  const MappedObject* object = FindInput(number, id);
+  return object == nullptr ? std::nullopt : std::optional(ValueOf(*object));
 }
 
 std::optional<int64_t> Bus::Output(size_t number, ObjectId id) const {
-  const std::optional<EntryPlace> place = PlaceOf(number, id, true);
-  if (!place) return std::nullopt;
-  return image_.Get(place->bit, place->bits, EntryOf(id).is_signed());
+  const MappedObject* object = FindOutput(number, id);
+  return object == nullptr ? std::nullopt : std::optional(ValueOf(*object));
 }
 
-bool Bus::HasOutput(size_t number, ObjectId id) const {
-  return PlaceOf(number, id, true).has_value();
-}
+bool Bus::HasOutput(size_t number, ObjectId id) const { return FindOutput(number, id) != nullptr; }
 
 bool Bus::SetOutput(size_t number, ObjectId id, int64_t value) {
-  const std::optional<EntryPlace> place = PlaceOf(number, id, true);
-  if (!place) return false;
-  image_.Put(place->bit, place->bits, value);
+  const MappedObject* object = FindOutput(number, id);
+  if (object == nullptr) return false;
+  image_.Put(object->place.bit, object->place.bits, value);
   return true;
 }
 
 void Bus::SendOutput(size_t number, ObjectId id, int64_t value) {
-  const std::optional<EntryPlace> place = PlaceOf(number, id, true);
-  if (place) image_.PutUnlessHeld(place->bit, place->bits, value);
+  const MappedObject* object = FindOutput(number, id);
+  if (object != nullptr) image_.PutUnlessHeld(object->place.bit, object->place.bits, value);
 }
 
 void Bus::TakeOutputs() {
   for (size_t i = 0; i < slaves_.size() && phase_ == BusPhase::kOp; ++i) {
     if (!slaves_[i].drive || !Answers(i)) continue;
     ObjectValues& values = slaves_[i].drive->values();
-    size_t bit = 8 * places_[i].outputs;
-    for (const PdoEntry& entry : (*configured_)[i].outputs) {
-      const std::optional<ObjectId> id = FindObject(entry.index, entry.subindex);
-      if (id) values.Set(*id, image_.Get(bit, entry.bits, EntryOf(*id).is_signed()));
-      bit += entry.bits;
+    for (const MappedObject& object : (*mapped_)[i].outputs.all()) {
+      values.Set(object.id, ValueOf(object));
     }
   }
   image_.EndExchange();
@@ -122,14 +114,15 @@ void Bus::GiveInputs() {
   for (size_t i = 0; i < slaves_.size() && phase_ >= BusPhase::kSafeOp; ++i) {
     if (!Answers(i)) continue;
     const SlaveState& slave = slaves_[i];
-    size_t bit = 8 * places_[i].inputs;
-    for (size_t byte = 0; byte < slave.inputs.size() && !slave.drive; ++byte) {
-      image_.Put(bit + 8 * byte, 8, slave.inputs.bytes()[byte]);
+    const MappedSlave& data = (*mapped_)[i];
+    if (!slave.drive) {
+      for (size_t byte = 0; byte < slave.inputs.size(); ++byte) {
+        image_.Put(8 * (data.place.inputs + byte), 8, slave.inputs.bytes()[byte]);
+      }
+      continue;
     }
-    for (const PdoEntry& entry : (*configured_)[i].inputs) {
-      const std::optional<ObjectId> id = FindObject(entry.index, entry.subindex);
-      if (id && slave.drive) image_.Put(bit, entry.bits, slave.drive->values()[*id]);
-      bit += entry.bits;
+    for (const MappedObject& object : data.inputs.all()) {
+      image_.Put(object.place.bit, object.place.bits, slave.drive->values()[object.id]);
     }
   }
 }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "motion/bus/drive.h"
+#include "motion/bus/process_data.h"
 #include "motion/bus/process_image.h"
 #include "motion/bus/slaves.h"
 #include "motion/common/sizes.h"
@@ -79,7 +81,7 @@ class Bus {
 
   ProcessImage& image() { return image_; }
   const ProcessImage& image() const { return image_; }
-  const SlavePlace& place(size_t number) const { return places_[number]; }
+  const SlavePlace& place(size_t number) const { return (*mapped_)[number].place; }
   /// The input of a slave; empty if its process data do not contain the object.
   std::optional<int64_t> Input(size_t number, ObjectId id) const;
   /// Sets an output of a drive; false if its process data do not contain the object.
@@ -111,7 +113,12 @@ class Bus {
                           std::vector<uint8_t>* data) const;
   SdoAbort DownloadTerminal(size_t number, uint16_t index, uint8_t subindex,
                             std::span<const uint8_t> data);
-  std::optional<EntryPlace> PlaceOf(size_t number, ObjectId id, bool output) const;
+  /// An object in the process data of a slave; nullptr if they do not contain it.
+  const MappedObject* FindInput(size_t number, ObjectId id) const;
+  const MappedObject* FindOutput(size_t number, ObjectId id) const;
+  int64_t ValueOf(const MappedObject& object) const {
+    return image_.Get(object.place.bit, object.place.bits, object.is_signed);
+  }
   bool MailboxWorks(size_t number) const {
     return phase_ >= BusPhase::kPreOp && number < slaves_.size() && Online(number);
   }
@@ -119,7 +126,7 @@ class Bus {
   SlavesPointer configured_;
   SlavesPointer connected_;
   std::vector<SlaveState> slaves_;
-  std::vector<SlavePlace> places_;  ///< follows from configured_
+  std::shared_ptr<const std::vector<MappedSlave>> mapped_;  ///< follows from configured_
   ProcessImage image_;
   BusPhase phase_ = BusPhase::kDown;
   Micros step_at_ = 0;  ///< when the present phase began

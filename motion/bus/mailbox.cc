@@ -89,15 +89,14 @@ SdoAbort Bus::UploadTerminal(size_t number, uint16_t index, uint8_t subindex,
                              std::vector<uint8_t>* data) const {
   const Slave& slave = (*connected_)[number];
   if (index != 0) {
-    if (const auto place = FindEntry(slave.outputs, index, subindex)) {
-      const int64_t value =
-          image_.Get(8 * places_[number].outputs + place->bit, place->bits, false);
-      *data = BytesOfNumber(value, (place->bits + 7u) / 8u);
+    if (const auto entry = FindEntry(slave.outputs, index, subindex)) {
+      const int64_t value = image_.Get(8 * place(number).outputs + entry->bit, entry->bits, false);
+      *data = BytesOfNumber(value, (entry->bits + 7u) / 8u);
       return SdoAbort::kNone;
     }
-    if (const auto place = FindEntry(slave.inputs, index, subindex)) {
-      const int64_t value = slaves_[number].inputs.Get(place->bit, place->bits, false);
-      *data = BytesOfNumber(value, (place->bits + 7u) / 8u);
+    if (const auto entry = FindEntry(slave.inputs, index, subindex)) {
+      const int64_t value = slaves_[number].inputs.Get(entry->bit, entry->bits, false);
+      *data = BytesOfNumber(value, (entry->bits + 7u) / 8u);
       return SdoAbort::kNone;
     }
   }
@@ -108,10 +107,10 @@ SdoAbort Bus::DownloadTerminal(size_t number, uint16_t index, uint8_t subindex,
                                std::span<const uint8_t> data) {
   const Slave& slave = (*connected_)[number];
   if (index != 0 && FindEntry(slave.inputs, index, subindex)) return SdoAbort::kReadOnly;
-  const auto place = index == 0 ? std::nullopt : FindEntry(slave.outputs, index, subindex);
-  if (!place) return WhyNoTerminal(slave, index);
-  if (data.size() != (place->bits + 7u) / 8u) return SdoAbort::kLength;
-  image_.Put(8 * places_[number].outputs + place->bit, place->bits, ReadNumber(data, false));
+  const auto entry = index == 0 ? std::nullopt : FindEntry(slave.outputs, index, subindex);
+  if (!entry) return WhyNoTerminal(slave, index);
+  if (data.size() != (entry->bits + 7u) / 8u) return SdoAbort::kLength;
+  image_.Put(8 * place(number).outputs + entry->bit, entry->bits, ReadNumber(data, false));
   return SdoAbort::kNone;
 }
 
