@@ -38,6 +38,23 @@ enum class MotionRole : uint8_t {
   kAcknowledge,  ///< forgets why axes stopped: the first one and their number
 };
 
+/// The commands that messages about a card advise; empty for what cannot happen on the family's
+/// cards.
+struct AdvisedCommands {
+  std::string_view drive_on = {};
+  std::string_view velocity = {};
+  std::string_view clear_status = {};  ///< forgets why an axis has stopped
+  std::string_view following_error_limit = {};
+  std::string_view encoder_check = {};
+  std::string_view gantry_error_limit = {};
+  std::string_view append_segment = {};
+  std::string_view buffered_move = {};  ///< moves another axis during a path
+  std::string_view buffered_gear = {};  ///< moves it in proportion to a segment
+  std::string_view start_path = {};
+  std::string_view look_ahead = {};
+  std::string_view axis_look_ahead = {};  ///< the one that knows limits of each axis
+};
+
 /// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
   /// As in the names of its header and library: `gts`.
@@ -52,6 +69,7 @@ struct Family {
   /// The reason why a command has no function; nullptr for commands of the host library.
   const Message* (*why_unsupported)(const Command& command);
   MotionRole (*motion_role)(const Command& command);
+  AdvisedCommands advised;
   /// Acts after every command that the card has been given, refused ones included, with its return
   /// code; returns the code that the caller gets. nullptr: the code is kept.
   int16_t (*finish)(Call& call, int16_t code);

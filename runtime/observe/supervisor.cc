@@ -377,8 +377,9 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
   Add(CardWarning::kNoVelocity, call, index,
       set ? MakeMessage("axis {0} is started with the velocity 0 and does not move",
                         "轴 {0} 以速度 0 启动，不会运动", index + 1)
-          : MakeMessage("axis {0} is started without a velocity and does not move, call GT_SetVel",
-                        "轴 {0} 启动时未设置速度，不会运动，请调用 GT_SetVel", index + 1));
+          : MakeMessage("axis {0} is started without a velocity and does not move, call {1}",
+                        "轴 {0} 启动时未设置速度，不会运动，请调用 {1}", index + 1,
+                        controller_.family().advised.velocity));
 }
 
 void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
@@ -387,8 +388,9 @@ void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
   // A profile without an axis, or one that only leads others, needs no drive.
   if (!off || IsMaster(core.state(), index)) return;
   Add(CardWarning::kDriveOff, call, *off,
-      MakeMessage("axis {0} moves while its drive is off, call GT_AxisOn first",
-                  "轴 {0} 在伺服使能关闭时运动，请先调用 GT_AxisOn", *off + 1));
+      MakeMessage("axis {0} moves while its drive is off, call {1} first",
+                  "轴 {0} 在伺服使能关闭时运动，请先调用 {1}", *off + 1,
+                  controller_.family().advised.drive_on));
 }
 
 // --- What the card does by itself ----------------------------------------------------------------
@@ -398,7 +400,8 @@ void Supervisor::NoteBeyondLimit(const motion::Happening& happening) {
   Key key = KeyOf(CardWarning::kAxisLimit, site, happening.item);
   std::get<std::string>(key) +=
       happening.kind == motion::HappeningKind::kTooFast ? " velocity" : " acceleration";
-  Add(std::move(key), PlaceOfSite(site), DescribeHappening(happening), controller_.NowUs());
+  Add(std::move(key), PlaceOfSite(site), DescribeHappening(happening, controller_.family().advised),
+      controller_.NowUs());
 }
 
 void Supervisor::NoteMovedByPath(const motion::Happening& happening) {
@@ -409,7 +412,7 @@ void Supervisor::NoteMovedByPath(const motion::Happening& happening) {
   if (leads) return;
   Add({CardWarning::kDriveOff, 0, static_cast<int>(happening.bound),
        static_cast<int>(happening.item), "path"},
-      {}, DescribeHappening(happening), controller_.NowUs());
+      {}, DescribeHappening(happening, controller_.family().advised), controller_.NowUs());
 }
 
 void Supervisor::Happened(const motion::Happening& happening) {
@@ -503,7 +506,7 @@ void Supervisor::JudgeStop(size_t index) {
   const History::Profile& profile = history_->profiles[index];
   if (!profile.stop) return;
   Add(KeyOf(CardWarning::kAxisStopped, profile.started, index), PlaceOfSite(profile.started),
-      DescribeHappening(*profile.stop), profile.stopped_us);
+      DescribeHappening(*profile.stop, controller_.family().advised), profile.stopped_us);
 }
 
 void Supervisor::JudgeLeftOut(size_t i) {

@@ -71,7 +71,7 @@ void Controller::PassHappeningsOn() {
   motion_.Observe([this](const motion::Happening& happening) {
     if (observer_ != nullptr) observer_->Happened(happening);
     if (happening_listeners_.empty()) return;
-    const Message what = DescribeHappening(happening);
+    const Message what = DescribeHappening(happening, family().advised);
     for (const HappeningListener& each : happening_listeners_) each(motion_.now(), what);
   });
 }

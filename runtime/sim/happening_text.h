@@ -7,11 +7,13 @@
 #pragma once
 
 #include "base/message.h"
+#include "gtcalls/family.h"
 #include "motion/happening.h"
 
 namespace oncard::runtime {
 
-/// What happened, in both languages. Pure.
-Message DescribeHappening(const motion::Happening& happening);
+/// What happened, in both languages; `commands` are those of the card's family. Pure.
+Message DescribeHappening(const motion::Happening& happening,
+                          const gtcalls::AdvisedCommands& commands);
 
 }  // namespace oncard::runtime

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gtcalls/gts/family.h"
 #include "motion/motion_core.h"
 
 namespace oncard::runtime {
@@ -20,7 +21,7 @@ using motion::MotionCore;
 struct TalkingCard {
   TalkingCard() {
     core.Observe([this](const motion::Happening& happening) {
-      const Message message = DescribeHappening(happening);
+      const Message message = DescribeHappening(happening, gtcalls::GtsFamily().advised);
       EXPECT_EQ(message.zh.empty(), message.en.empty());
       said.push_back(message.en);
     });
@@ -217,6 +218,13 @@ TEST(Happening, WhatTheMultiAxisLookAheadDoes) {
   // 1 * 5 / (2 sin 45 degrees).
   EXPECT_THAT(card.said[0], HasSubstr("before this segment with at most 3.5355339"));
   EXPECT_THAT(card.said[0], HasSubstr("of 100 pulse/ms, limited by synAcc or DVMax"));
+}
+
+TEST(Happening, AdvisesCommandsOfTheFamily) {
+  const Message message = DescribeHappening({.kind = motion::HappeningKind::kFollowingError},
+                                            {.following_error_limit = "TT_SetLimit"});
+  EXPECT_THAT(message.en, HasSubstr("its limit is 0 (TT_SetLimit)"));
+  EXPECT_THAT(message.zh, HasSubstr("超过 TT_SetLimit 设定的极限"));
 }
 
 TEST(Happening, IsNoPartOfTheState) {
