@@ -2,6 +2,7 @@
 // only; it never checks which family it is.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,6 +67,13 @@ struct Family {
   int16_t not_supported;
   /// Return code of a command for a card that is not open.
   int16_t not_open;
+  /// Return code of the opening of a card that cannot be opened.
+  int16_t open_failed;
+  /// The commands with which a host opens and closes a card, and those with which it resets one.
+  /// The host library executes them.
+  std::string_view open_command;
+  std::string_view close_command;
+  std::span<const std::string_view> reset_commands;
   /// The reason why a command has no function; nullptr for commands of the host library.
   const Message* (*why_unsupported)(const Command& command);
   MotionRole (*motion_role)(const Command& command);
@@ -116,6 +124,9 @@ struct Family {
   }
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];
+  }
+  bool Resets(const Command& command) const {
+    return std::ranges::find(reset_commands, command.name) != reset_commands.end();
   }
   /// True if the command has a function. Commands of the host library itself, such as GT_Open and
   /// GT_Download, have none.

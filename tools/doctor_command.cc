@@ -9,8 +9,6 @@
 
 #include "base/json_text.h"
 #include "gtcalls/family.h"
-#include "runtime/host/host_card.h"
-#include "runtime/host/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
 
@@ -19,13 +17,13 @@ namespace {
 
 struct DoctorArguments {
   bool commands = false;
-  std::string family{runtime::LibraryFamily().name};
+  std::string family{gtcalls::Families().front()->name};
   std::string format = "text";
 };
 
 /// True if the card executes the command or the host library answers it.
 bool IsAnswered(const gtcalls::Family& family, const gtcalls::Command& command) {
-  return family.Executes(command) || runtime::FindHostService(command) != nullptr;
+  return family.why_unsupported(command) == nullptr;
 }
 
 std::vector<std::string> FamilyNames() {

@@ -173,7 +173,7 @@ int Exec(const ExecArguments& arguments, const Invocation& invocation) {
   const auto keys = runtime::ParseKeyScript(arguments.keys);
   if (!keys.ok()) return Fail(invocation, kExitUsage, keys.error().message);
   if (!arguments.card.empty()) ::setenv("ONCARD_CARD", arguments.card.c_str(), 1);
-  const auto card = runtime::CardFromEnvironment();
+  const auto card = runtime::CardFromEnvironment(nullptr);
   if (!card.ok()) return Fail(invocation, kExitUsage, card.error().message);
   if (!arguments.scenario.empty()) {
     const auto scenario =
@@ -251,12 +251,16 @@ void AddExec(CLI::App& app, Invocation& invocation) {
                                    "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
   const auto& card_names = gtcalls::kCardTypeNames;
+  std::vector<std::string_view> defaults;
+  for (const gtcalls::Family* family : gtcalls::Families()) {
+    defaults.push_back(family->default_card.name);
+  }
   command
       ->add_option("--card", arguments->card,
                    invocation.Say(MakeMessage("type of the cards: {0} (without a scenario {1})",
                                               "控制卡型号：{0}（没有场景时为 {1}）",
                                               fmt::to_string(fmt::join(card_names, ", ")),
-                                              runtime::LibraryFamily().default_card.name)))
+                                              fmt::to_string(fmt::join(defaults, ", ")))))
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(card_names), std::end(card_names)))
                   .description(""))
       ->type_name("CARD");

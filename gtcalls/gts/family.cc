@@ -30,8 +30,12 @@ static_assert(gts::kThreadLast < vm::kThreadCount && gts::kPageLast < vm::kPageC
 
 /// The code of GTS for "not supported by the firmware".
 constexpr int16_t kNotSupported = 8;
-/// The code of GTS for "communication failed" (GTS manual table 3-1).
+/// The codes of GTS for "communication failed" and "the card cannot be opened" (GTS manual table
+/// 3-1).
 constexpr int16_t kNotOpen = -1;
+constexpr int16_t kOpenFailed = -6;
+
+constexpr std::string_view kResetCommands[] = {"GT_Reset"};
 
 constexpr CardType kCardTypes[] = {
 #define CARD_TYPE(name, axes) {name, axes},
@@ -105,6 +109,10 @@ const Family& GtsFamily() {
       .functions = kFunctions,
       .not_supported = kNotSupported,
       .not_open = kNotOpen,
+      .open_failed = kOpenFailed,
+      .open_command = "GT_Open",
+      .close_command = "GT_Close",
+      .reset_commands = kResetCommands,
       .why_unsupported = WhyUnsupported,
       .motion_role = GtsMotionRole,
       .advised = {.drive_on = "GT_AxisOn",

@@ -11,12 +11,11 @@ namespace {
 
 Error OpenError(const std::string& path) {
   if (errno == EWOULDBLOCK) {
-    return MakeError(kOpenFailed,
-                     "cannot write the record of calls '{}': another process is writing it",
+    return MakeError(1, "cannot write the record of calls '{}': another process is writing it",
                      "无法写入调用记录“{}”：另一进程正在写入", path);
   }
-  return MakeError(kOpenFailed, "cannot write the record of calls '{}': {}",
-                   "无法写入调用记录“{}”：{}", path, std::strerror(errno));
+  return MakeError(1, "cannot write the record of calls '{}': {}", "无法写入调用记录“{}”：{}", path,
+                   std::strerror(errno));
 }
 
 }  // namespace

@@ -4,17 +4,20 @@
 #include <cstdio>
 
 #include "base/message.h"
+#include "runtime/host/library.h"
 
 namespace oncard::runtime {
 namespace {
 
-/// `GT_Open(card)` of the multi-card header arrives as GT_Open(card, 0): its second argument is the
-/// channel, which is 1 by default in our header. Single-card hosts also call GT_Open(0, 0), so this
-/// alone proves nothing.
+/// The opening of a card with the header for several, `Open(card)`, arrives as Open(card, 0): its
+/// second argument is one that the header for a single card sets to 1 by default. Hosts of that one
+/// also call Open(0, 0), so this alone proves nothing.
 std::atomic<int64_t> opened_as = -1;
 std::atomic<bool> said = false;
 
-bool IsOpening(const gtcalls::Command& command) { return command.name == "GT_Open"; }
+bool IsOpening(const gtcalls::Command& command) {
+  return command.name == LibraryFamily().open_command;
+}
 
 /// True if a refused call has a card number where its first parameter should be.
 bool HasCardNumber(const gtcalls::Command& command, std::span<const HostArgument> host) {
@@ -35,12 +38,12 @@ void HintAtCardNumber(const gtcalls::Command& command, std::span<const HostArgum
   }
   if (opened_as < 0 || !HasCardNumber(command, host) || said.exchange(true)) return;
   const Message hint = MakeMessage(
-      "{0} seems to have been called with a card number before its parameters. A multi-card gts.h "
-      "cannot be used with the single-card functions: include oncard's gts_multi.h instead, or "
-      "remove that gts.h from the host's folder",
-      "调用 {0} 时，参数前似乎带有卡号。多卡版 gts.h 不能与单卡函数一起使用：请改为包含 oncard 的 "
-      "gts_multi.h，或将该 gts.h 移出主机程序的目录",
-      command.name);
+      "{0} seems to have been called with a card number before its parameters. A multi-card {1}.h "
+      "cannot be used with the single-card functions: include oncard's {1}_multi.h instead, or "
+      "remove that {1}.h from the host's folder",
+      "调用 {0} 时，参数前似乎带有卡号。多卡版 {1}.h 不能与单卡函数一起使用：请改为包含 oncard 的 "
+      "{1}_multi.h，或将该 {1}.h 移出主机程序的目录",
+      command.name, LibraryFamily().name);
   std::fprintf(stderr, "oncard: %s\n", hint.In(LanguageFromEnvironment()).c_str());
 }
 

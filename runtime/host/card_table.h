@@ -38,8 +38,8 @@ struct CardSlot {
   /// The virtual time before which the scenario cannot be over (0: at any moment): who sleeps locks
   /// no card until then.
   std::atomic<int64_t> earliest_end_ns = INT64_MAX;
-  /// The code that GT_GetFunId and GT_GetVarId return without a program: that of the failed
-  /// GT_Download, or 1 if it has not been called.
+  /// The code of commands that need a program while there is none: that of the download that
+  /// failed, or 1 if there was no download.
   int16_t no_program_code = 1;
   std::optional<CardMemory> memory;  ///< set while the card is open and has a file for it
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
@@ -50,7 +50,7 @@ struct CardSlot {
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);
-  /// Sets `earliest_end_ns`. GT_Reset, after which the time of an open card begins anew, only makes
+  /// Sets `earliest_end_ns`. A reset, after which the time of an open card begins anew, only makes
   /// the end later.
   void FindEarliestEnd();
   /// Closes the card if it is open, after it has caught up to at most the end of its scenario.

@@ -18,7 +18,7 @@ Result<ClockSetting> ParseClockSetting(std::string_view text) {
       return ClockSetting{ClockKind::kReal, *scale};
     }
   }
-  return MakeError(kOpenFailed,
+  return MakeError(1,
                    "ONCARD_CLOCK is '{}', expected real, real:SCALE with a scale above 0 and at "
                    "most 1000000, or virtual",
                    "ONCARD_CLOCK 的值为 '{}'，应为 real、real:倍率（大于 0 且不超过 1000000）或 "

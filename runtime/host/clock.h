@@ -19,9 +19,6 @@
 
 namespace oncard::runtime {
 
-/// GT_Open's code when the card cannot be opened (GTS manual table 3-1).
-inline constexpr int16_t kOpenFailed = -6;
-
 enum class ClockKind : uint8_t { kVirtual, kReal };
 
 /// The kind of clock of a card. The default is real time, as for a real card.
@@ -35,7 +32,7 @@ struct ClockSetting {
 inline constexpr double kClockScaleMax = 1e6;
 
 /// Reads the value of ONCARD_CLOCK: `real`, `real:SCALE` (0 < SCALE <= 1000000) or `virtual`. An
-/// empty text means `real`. Fails with -6, the code of GT_Open.
+/// empty text means `real`.
 Result<ClockSetting> ParseClockSetting(std::string_view text);
 
 /// The longest time that the real-time clock advances at one call: ten minutes of card time. A

@@ -9,11 +9,10 @@
 
 #include "runtime/host/call_log.h"
 #include "runtime/host/call_scope.h"
-#include "runtime/host/card_number_hint.h"
 #include "runtime/host/card_table.h"
-#include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
-#include "runtime/host/host_services.h"
+#include "runtime/host/library.h"
+#include "runtime/host/services.h"
 #include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
@@ -23,7 +22,7 @@ namespace {
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
                  std::span<vm::CommandArgument> arguments, Message* reason) {
   if (service == nullptr) return slot.controller->Execute(command, arguments, reason);
-  ServiceCall call{CardTable::OfProcess(), slot, arguments, {}};
+  ServiceCall call{command, CardTable::OfProcess(), slot, arguments, {}};
   const int16_t code = service->function(call);
   *reason = std::move(call.reason);
   return code;
@@ -32,7 +31,7 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
 void Record(const LoggedCall& made, bool read, CardSlot& slot) {
   RecordedFiles files = slot.files ? *std::move(slot.files) : RecordedFiles();
   // Of the library's own commands these change the card.
-  const bool changes = made.command.name == "GT_Reset" || files.program.has_value();
+  const bool changes = LibraryFamily().Resets(made.command) || files.program.has_value();
   const bool acts = read && (FindHostService(made.command) == nullptr || changes);
   RecordedCall call = RecordCall(made, acts);
   call.program = std::move(files.program);
@@ -59,8 +58,8 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   int16_t code = vm::kOk;
   if (!open && (service == nullptr || !service->before_open)) {
     code = family.not_open;
-    reason = MakeMessage("card {} is not open, call GT_Open first",
-                         "卡 {} 未打开，请先调用 GT_Open", card);
+    reason = MakeMessage("card {} is not open, call {} first", "卡 {} 未打开，请先调用 {}", card,
+                         family.open_command);
   } else if (!read.ok()) {
     code = static_cast<int16_t>(read.error().code);
     reason = read.error().message;
@@ -69,7 +68,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
     WriteOutputs(command, slot.call, code);
   }
   const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
-  // GT_Open is the beginning of the record, GT_Close its end.
+  // The opening of the card is the beginning of the record, its closing the end.
   if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
   CallLog* const log = CallLog::Wanted();
   const bool counts = code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing;
@@ -113,7 +112,9 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   const std::lock_guard lock(slot.mutex);
   const int16_t code = CallLockedCard(family, index, slot, command, arguments);
-  if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);
+  if (card == kSelectedCard && Library().notice_result != nullptr) {
+    Library().notice_result(command, arguments, code);
+  }
   return code;
 }
 

@@ -1,5 +1,5 @@
-// Connects a C entry point of libgts to a card. The entry points are generated from the catalogue
-// (one line each: `return CallFromHost(card, number, arguments...)`); CallFromHost() does
+// Connects a C entry point of a host library to a card. The entry points are generated from the
+// catalogue (one line each: `return CallFromHost(card, number, arguments...)`); CallFromHost() does
 // everything they have in common: it finds the card, checks that it is open, advances its clock,
 // converts the arguments, executes the command, returns the outputs and writes the call log.
 //
@@ -18,7 +18,7 @@ namespace oncard::runtime {
 /// Cards of one process, numbered from 0.
 inline constexpr int kCardCount = 16;
 
-/// The card of the single-card header, selected by GT_SetCardNo, initially 0. No `short` that a
+/// The card of functions without a card number, initially 0 (SelectCard()). No `short` that a
 /// host passes as a card number has this value.
 inline constexpr int kSelectedCard = 0x10000;
 

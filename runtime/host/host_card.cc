@@ -1,27 +1,25 @@
 #include "runtime/host/host_card.h"
 
 #include <fmt/format.h>
-#include <algorithm>
+
 #include <cstdlib>
 #include <string>
 #include <vector>
 
-#include "gtcalls/gts/family.h"
-#include "runtime/host/clock.h"
-
 namespace oncard::runtime {
 
-const gtcalls::Family& LibraryFamily() { return gtcalls::GtsFamily(); }
-
-Result<const gtcalls::CardType*> CardFromEnvironment() {
+Result<const gtcalls::CardType*> CardFromEnvironment(const gtcalls::Family* family) {
   const char* name = std::getenv("ONCARD_CARD");
   if (name == nullptr || *name == '\0') return nullptr;
-  const auto& types = LibraryFamily().card_types;
-  const auto type = std::ranges::find(types, std::string_view(name), &gtcalls::CardType::name);
-  if (type != types.end()) return &*type;
   std::vector<std::string_view> names;
-  for (const gtcalls::CardType& known : types) names.push_back(known.name);
-  return MakeError(kOpenFailed, "ONCARD_CARD is '{}', expected one of {}",
+  for (const gtcalls::Family* each : gtcalls::Families()) {
+    if (family != nullptr && each != family) continue;
+    for (const gtcalls::CardType& type : each->card_types) {
+      if (type.name == name) return &type;
+      names.push_back(type.name);
+    }
+  }
+  return MakeError(1, "ONCARD_CARD is '{}', expected one of {}",
                    "ONCARD_CARD 的值为 '{}'，应为 {} 之一", name,
                    fmt::to_string(fmt::join(names, ", ")));
 }

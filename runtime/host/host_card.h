@@ -7,11 +7,8 @@
 
 namespace oncard::runtime {
 
-/// The family whose commands this library has.
-const gtcalls::Family& LibraryFamily();
-
-/// The type that ONCARD_CARD names; nullptr without it. An error if there is no such card, or not
-/// in the library's family.
-Result<const gtcalls::CardType*> CardFromEnvironment();
+/// The type that ONCARD_CARD names; nullptr without it. An error if there is no such card in
+/// `family`; nullptr: in any family.
+Result<const gtcalls::CardType*> CardFromEnvironment(const gtcalls::Family* family);
 
 }  // namespace oncard::runtime

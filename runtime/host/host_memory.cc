@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "runtime/host/host_card.h"
+#include "runtime/host/library.h"
 
 namespace oncard::runtime {
 namespace {

@@ -17,6 +17,7 @@
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_report.h"
+#include "runtime/host/library.h"
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
@@ -44,7 +45,7 @@ Verdict& VerdictOfProcess() {
 Result<std::shared_ptr<const Scenario>> ReadScenario() {
   const char* path = std::getenv("ONCARD_SCENARIO");
   if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
-  const auto card = CardFromEnvironment();
+  const auto card = CardFromEnvironment(&LibraryFamily());
   if (!card.ok()) return card.error();
   auto scenario = LoadScenario(path, ScenarioUse::kHost, card.value());
   if (!scenario.ok()) return scenario.error();

@@ -48,9 +48,9 @@ struct RecordedCall {
   /// The call was given to the card; otherwise the host library answered it.
   bool acts = true;
   Message reason;                          ///< unless it acts: why the call was refused
-  std::optional<vm::ObjectFiles> program;  ///< of a GT_Download that succeeded
+  std::optional<vm::ObjectFiles> program;  ///< that the call has loaded
   std::vector<RecordedSource> sources;     ///< of `program`, as far as they were found
-  std::optional<std::string> config;       ///< what GT_LoadConfig has read
+  std::optional<std::string> config;       ///< the file that the call has read
 };
 
 /// The calls from one opening of a card to its closing.

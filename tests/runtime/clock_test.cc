@@ -22,12 +22,11 @@ TEST(ClockSettingTest, ReadsEveryForm) {
   EXPECT_EQ(ParseClockSetting("virtual").value(), (ClockSetting{ClockKind::kVirtual, 1}));
 }
 
-TEST(ClockSettingTest, RefusesEverythingElseAsAFailedOpen) {
+TEST(ClockSettingTest, RefusesEverythingElse) {
   for (const std::string text : {"Real", "virtual ", "virtual:2", "real:", "real:0", "real:-1",
                                  "real:1000001", "real:1x", "real:nan", "real:inf", "fast"}) {
     const auto setting = ParseClockSetting(text);
     ASSERT_FALSE(setting.ok()) << text;
-    EXPECT_EQ(setting.error().code, -6) << text;
     EXPECT_THAT(setting.error().message.en, HasSubstr("'" + text + "'"));
     EXPECT_THAT(setting.error().message.zh, HasSubstr("'" + text + "'"));
   }

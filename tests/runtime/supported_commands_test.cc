@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gtcalls/gts/family.h"
-#include "runtime/host/host_services.h"
+#include "runtime/host/services.h"
 
 namespace oncard::runtime {
 namespace {

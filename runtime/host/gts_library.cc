@@ -1,5 +1,5 @@
-#include "runtime/host/host_services.h"
-
+// libgts: the services of the host library for GTS cards. Tested by tests/runtime/host_api_test.cc
+// and host_programs_test.cc.
 #include <algorithm>
 #include <climits>
 #include <cstdlib>
@@ -11,16 +11,10 @@
 
 #include "base/files.h"
 #include "compiler/compiler.h"
+#include "gtcalls/gts/family.h"
 #include "gts.h"
-#include "runtime/host/call_log.h"
-#include "runtime/host/clock.h"
-#include "runtime/host/host_bus.h"
-#include "runtime/host/host_card.h"
-#include "runtime/host/host_memory.h"
-#include "runtime/host/host_refusals.h"
-#include "runtime/host/host_signals.h"
-#include "runtime/host/host_time.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/host/card_number_hint.h"
+#include "runtime/host/library.h"
 #include "vm/object_writer.h"
 
 namespace oncard::runtime {
@@ -45,91 +39,6 @@ constexpr size_t kCompileMessageSize = 128;
 
 // --- The card itself -----------------------------------------------------------------------------
 
-int CardNumber(const ServiceCall& call) {
-  return static_cast<int>(&call.slot - call.table.slots.data());
-}
-
-/// A card without surroundings: of the named type, or the default one.
-Scenario BareCard(const gtcalls::CardType* named) {
-  const gtcalls::CardType& type = named != nullptr ? *named : LibraryFamily().default_card;
-  Scenario scenario;
-  scenario.card = type.name;
-  scenario.axis_count = type.axis_count;
-  scenario.limit_ms = kTimeMsMax;
-  return scenario;
-}
-
-int16_t Open(ServiceCall& call) {
-  CardSlot& slot = call.slot;
-  if (slot.controller != nullptr) {
-    return call.Refuse(kOpenFailed, {"the card is already open", "该卡已打开"});
-  }
-  ReadHostTimeSetting();
-  const char* setting = std::getenv("ONCARD_CLOCK");
-  const auto clock = ParseClockSetting(setting == nullptr ? "" : setting);
-  if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
-  const auto card = CardFromEnvironment();
-  if (!card.ok()) return call.Refuse(kOpenFailed, card.error().message);
-  const auto scenario = ScenarioFromEnvironment();
-  if (!scenario.ok()) return call.Refuse(kOpenFailed, scenario.error().message);
-  std::shared_ptr<const Scenario> world = scenario.value();
-  std::vector<std::string> trace_files;
-  if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
-  const Scenario bare = BareCard(card.value());
-  if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
-  Scenario opened = world == nullptr ? bare : *world;
-  TakeEni(FolderOfProgram(), &opened);
-  auto memory = TakeMemory(CardNumber(call), &opened);
-  if (!memory.ok()) return call.Refuse(kOpenFailed, memory.error().message);
-  const bool bare_card = world == nullptr && opened.bus == BusSetup() && opened.memory.empty();
-  CallRecorder* const recorder = CallRecorder::Wanted();
-  if (recorder != nullptr) {
-    const auto recorded = recorder->Open(CardNumber(call), opened, bare_card);
-    if (!recorded.ok()) return call.Refuse(kOpenFailed, recorded.error().message);
-  }
-  slot.controller = std::make_unique<Controller>(CardOptions(opened));
-  slot.recorder = recorder;
-  slot.memory = std::move(memory).value();
-  if (recorder != nullptr) {
-    slot.controller->card().read_file = [&slot](const std::string& path) {
-      auto text = ReadFile(path, kConfigKind);
-      if (text.ok()) slot.files.emplace().config = text.value();
-      return text;
-    };
-  }
-  // The log also shows what happens at power-on.
-  if (CallLog* log = CallLog::Wanted(); log != nullptr) {
-    slot.controller->LogRefusals(log, CardNumber(call));
-    slot.controller->LogHappenings(log, CardNumber(call));
-  }
-  if (world != nullptr) {
-    slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
-    slot.watch->Listen(slot.controller.get());
-  }
-  if (!bare_card) ApplyWorld(opened, slot.controller.get());
-  slot.clock.emplace(clock.value());
-  slot.FindEarliestEnd();
-  const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
-  if (collects) {
-    slot.controller->CollectRefusals(&slot.refused);
-    slot.supervisor.emplace(slot.controller.get());
-  }
-  if (slot.watch || slot.memory || collects) WatchHostSignals();
-  slot.no_program_code = vm::kRefused;
-  return vm::kOk;
-}
-
-int16_t Close(ServiceCall& call) {
-  call.slot.SwitchOff();
-  return vm::kOk;
-}
-
-int16_t Reset(ServiceCall& call) {
-  call.slot.controller->Reset();
-  call.slot.no_program_code = vm::kRefused;
-  return vm::kOk;
-}
-
 /// Each call gives a block of its own: a .NET host frees what it is given.
 int16_t GetVersion(ServiceCall& call) {
   auto* const text = static_cast<char*>(std::malloc(kFirmwareVersion.size() + 1));
@@ -151,18 +60,7 @@ int16_t GetMacAddress(ServiceCall& call) {
   }
   constexpr double kLocallyAdministered = 0x02;
   address[0] = kLocallyAdministered;
-  address[kMacAddressLength - 1] = CardNumber(call);
-  return vm::kOk;
-}
-
-int16_t SetCardNo(ServiceCall& call) {
-  const double index = call.arguments[0].value;
-  if (!(index >= 0 && index < kCardCount)) {
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("parameter index is {}; the range is [0, {}]",
-                                   "参数 index 为 {}；取值范围为 [0, {}]", index, kCardCount - 1));
-  }
-  call.table.selected = static_cast<int>(index);
+  address[kMacAddressLength - 1] = call.card();
   return vm::kOk;
 }
 
@@ -329,12 +227,12 @@ int16_t GetVarId(ServiceCall& call) {
 
 constexpr HostService kServices[] = {
     // command, before_open, function
-    {"GT_Open", true, Open},
-    {"GT_Close", false, Close},
-    {"GT_Reset", false, Reset},
+    {"GT_Open", true, OpenCard},
+    {"GT_Close", false, CloseCard},
+    {"GT_Reset", false, ResetCard},
     {"GT_GetVersion", false, GetVersion},
     {"GetMacAddress", false, GetMacAddress},
-    {"GT_SetCardNo", true, SetCardNo},
+    {"GT_SetCardNo", true, SelectCard},
     {"GT_GetCardNo", true, GetCardNo},
     {"GT_Compile", false, Compile},
     {"GT_Download", false, Download},
@@ -342,24 +240,12 @@ constexpr HostService kServices[] = {
     {"GT_GetVarId", false, GetVarId},
 };
 
-/// One entry per command of the catalogue; nullptr for a command that the card executes.
-std::vector<const HostService*> ServicesByNumber() {
-  const gtcalls::Catalogue& catalogue = LibraryFamily().catalogue;
-  std::vector<const HostService*> services(catalogue.commands().size());
-  for (const HostService& service : kServices) {
-    const gtcalls::Command* command = catalogue.Find(service.command);
-    if (command == nullptr) continue;  // a misspelt name, which a test reports
-    services[command->number - 1u] = &service;
-  }
-  return services;
-}
-
 }  // namespace
 
-const HostService* FindHostService(const gtcalls::Command& command) {
-  // Never destroyed: objects of the host may make calls while the process exits.
-  static const auto& services = *new const std::vector<const HostService*>(ServicesByNumber());
-  return services[command.number - 1u];
+const HostLibrary& Library() {
+  static const HostLibrary kLibrary = {
+      .family = gtcalls::GtsFamily(), .services = kServices, .notice_result = HintAtCardNumber};
+  return kLibrary;
 }
 
 }  // namespace oncard::runtime
