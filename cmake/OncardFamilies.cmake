@@ -1,0 +1,94 @@
+# oncard_family(name EXPORTS pattern ... SOURCES file ...
+#               [HEADER file] [MODULE_HEADER file] [OTHER_HEADERS file ...] [MULTI_CARD] [BASIC_LAYOUTS]
+#               [GENERATOR target] [INCLUDE_DIR folder]):
+# all that a family of cards needs beside its catalogue and functions. Makes the targets
+#
+#   oncard::<name>_interface     the folder with its headers
+#   oncard::<name>_entry_points  the functions of its library, for whoever is no library
+#   oncard::<name>               lib<name>.so, with which host programs are linked
+#
+# EXPORTS are the names of its functions. SOURCES define its HostLibrary (runtime/host/library.h).
+# HEADER is <name>.h unless it is given. MODULE_HEADER, MULTI_CARD and BASIC_LAYOUTS are the parts
+# that its InterfaceForm (gtcalls/interface_form.h) may have; OTHER_HEADERS are copied. GENERATOR
+# knows the family, INCLUDE_DIR receives the headers; without them both are those of the project.
+function(oncard_family name)
+  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS" "GENERATOR;HEADER;INCLUDE_DIR;MODULE_HEADER"
+    "EXPORTS;OTHER_HEADERS;SOURCES" ${ARGN})
+  if(NOT ARG_GENERATOR)
+    set(ARG_GENERATOR generate_interface)
+  endif()
+  if(NOT ARG_HEADER)
+    set(ARG_HEADER ${name}.h)
+  endif()
+  if(NOT ARG_INCLUDE_DIR)
+    set(ARG_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+  endif()
+
+  set(headers ${ARG_INCLUDE_DIR}/${ARG_HEADER})
+  set(parts entry-points structures)
+  oncard_interface_file(${name} ${ARG_GENERATOR} header ${headers})
+  if(ARG_MODULE_HEADER)
+    list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
+    oncard_interface_file(${name} ${ARG_GENERATOR} module-header ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
+  endif()
+  set(generated ${headers})
+  foreach(header IN LISTS ARG_OTHER_HEADERS)
+    get_filename_component(file ${header} NAME)
+    configure_file(${header} ${ARG_INCLUDE_DIR}/${file} COPYONLY)
+    list(APPEND headers ${ARG_INCLUDE_DIR}/${file})
+  endforeach()
+  if(ARG_MULTI_CARD)
+    list(APPEND parts multi-entry-points)
+  endif()
+  if(ARG_BASIC_LAYOUTS)
+    list(APPEND parts basic-entry-points)
+  endif()
+  set(sources)
+  foreach(part IN LISTS parts)
+    string(REPLACE - _ file ${part})
+    list(APPEND sources ${CMAKE_CURRENT_BINARY_DIR}/${name}_${file}.cc)
+    oncard_interface_file(${name} ${ARG_GENERATOR} ${part}
+      ${CMAKE_CURRENT_BINARY_DIR}/${name}_${file}.cc)
+  endforeach()
+
+  add_custom_target(oncard_${name}_interface_files DEPENDS ${generated} ${sources})
+  add_dependencies(oncard_generated oncard_${name}_interface_files)
+  add_library(oncard_${name}_interface INTERFACE)
+  add_library(oncard::${name}_interface ALIAS oncard_${name}_interface)
+  target_include_directories(oncard_${name}_interface INTERFACE ${ARG_INCLUDE_DIR})
+  add_dependencies(oncard_${name}_interface oncard_${name}_interface_files)
+
+  # Functions of one card and of several have the same names in their sources.
+  add_library(oncard_${name}_entry_points OBJECT ${sources} ${ARG_SOURCES})
+  add_library(oncard::${name}_entry_points ALIAS oncard_${name}_entry_points)
+  set_target_properties(oncard_${name}_entry_points PROPERTIES UNITY_BUILD OFF)
+  target_link_libraries(oncard_${name}_entry_points
+    PUBLIC oncard::${name}_interface oncard::host_api PRIVATE oncard::compiler)
+
+  add_library(${name} SHARED ${PROJECT_SOURCE_DIR}/runtime/host/host_hooks.cc)
+  # ThreadSanitizer has a sigaction() of its own, and calls it before instrumented code may run.
+  if(NOT ONCARD_SANITIZE MATCHES thread)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/runtime/host/host_handlers.cc)
+  endif()
+  add_library(oncard::${name} ALIAS ${name})
+  list(JOIN ARG_EXPORTS ";\n    " exports)
+  set(map ${CMAKE_CURRENT_BINARY_DIR}/${name}.map)
+  configure_file(${PROJECT_SOURCE_DIR}/runtime/host/family.map.in ${map} @ONLY)
+  set_target_properties(${name} PROPERTIES
+    LINK_DEPENDS ${map} PUBLIC_HEADER "${headers}" UNITY_BUILD OFF)
+  target_link_options(${name} PRIVATE LINKER:--version-script=${map})
+  if(NOT ONCARD_SANITIZE)  # a sanitizer's run-time library comes with the program
+    target_link_options(${name} PRIVATE LINKER:--no-undefined)
+  endif()
+  target_link_libraries(${name}
+    PRIVATE oncard_options oncard_${name}_entry_points
+    INTERFACE oncard::${name}_interface)
+endfunction()
+
+# oncard_interface_file(family generator what output): a file that a generator writes.
+function(oncard_interface_file family generator what output)
+  get_filename_component(folder ${output} DIRECTORY)
+  file(MAKE_DIRECTORY ${folder})
+  add_custom_command(OUTPUT ${output} COMMAND ${generator} ${family} ${what} ${output}
+    DEPENDS ${generator} VERBATIM)
+endfunction()
