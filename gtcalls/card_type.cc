@@ -1,15 +1,27 @@
 #include "gtcalls/card_type.h"
 
 #include <algorithm>
+#include <set>
 
+#include "gtcalls/families.h"
 #include "gtcalls/family.h"
-#include "gtcalls/gts/family.h"
 
 namespace oncard::gtcalls {
 
-std::span<const Family* const> Families() {
-  static const Family* const kFamilies[] = {&GtsFamily()};
-  return kFamilies;
+std::vector<std::string_view> CardTypeNames() {
+  std::vector<std::string_view> names;
+  for (const Family* family : Families()) {
+    for (const CardType& type : family->card_types) names.push_back(type.name);
+  }
+  return names;
+}
+
+std::vector<int> AxisCounts() {
+  std::set<int> counts;
+  for (const Family* family : Families()) {
+    for (const CardType& type : family->card_types) counts.insert(type.axis_count);
+  }
+  return {counts.begin(), counts.end()};
 }
 
 std::optional<NamedCard> FindCard(std::string_view name) {

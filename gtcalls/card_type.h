@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
+#include <vector>
 
 namespace oncard::gtcalls {
 
@@ -16,13 +16,10 @@ struct CardType {
 };
 
 /// The names of all types, family by family.
-inline constexpr std::string_view kCardTypeNames[] = {
-#define CARD_TYPE(name, axes) name,
-#include "gtcalls/gts/card_types.def"
-};
+std::vector<std::string_view> CardTypeNames();
 
-/// The families of this build.
-std::span<const Family* const> Families();
+/// The numbers of axes that cards have, in ascending order.
+std::vector<int> AxisCounts();
 
 /// A card that a user has named.
 struct NamedCard {

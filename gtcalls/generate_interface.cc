@@ -30,7 +30,6 @@
 #include <vector>
 
 #include "base/files.h"
-#include "gtcalls/gts/interface_form.h"
 #include "gtcalls/interface_form.h"
 
 namespace oncard::gtcalls {
@@ -519,7 +518,7 @@ std::string Write(const InterfaceForm& form, std::string_view what) {
 
 int Main(int argc, char** argv) {
   std::string text;
-  for (const InterfaceForm* form : {&GtsInterfaceForm()}) {
+  for (const InterfaceForm* form : InterfaceForms()) {
     if (argc == 4 && form->catalogue.name() == argv[1]) text = Write(*form, argv[2]);
   }
   if (text.empty()) {

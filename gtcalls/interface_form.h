@@ -49,4 +49,7 @@ struct InterfaceForm {
   std::span<const TopicLine> topics;
 };
 
+/// Those of the families that a generator knows, defined beside its list of families.
+std::span<const InterfaceForm* const> InterfaceForms();
+
 }  // namespace oncard::gtcalls

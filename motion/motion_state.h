@@ -47,7 +47,7 @@ struct DriveLimits {
 
 /// Sizes and timing of a card, and what its drives can follow.
 struct MotionConfig {
-  int axis_count = 8;      ///< 4, 8 or 12
+  int axis_count = 8;      ///< 1 to kAxisMax
   int64_t cycle_us = 250;  ///< profile cycle; a multiple of servo_us, at most 4000
   int64_t servo_us = 125;  ///< servo sub-step
   CardDefaults defaults = {};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "gtcalls/families.h"
 #include "gtcalls/family.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
@@ -79,7 +80,7 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
       {"fast_float", {"fast_float", "fast_float"}, ONCARD_FAST_FLOAT_VERSION},
       {"cpp_httplib", {"cpp-httplib", "cpp-httplib"}, CPPHTTPLIB_VERSION},
-      {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::kCardTypeNames, ", "))},
+      {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::CardTypeNames(), ", "))},
       {"commands", {"commands in the catalogue", "指令目录中的指令"}, count(commands.size())},
       {"commands_in_programs",
        {"... allowed in motion programs", "……可在运动程序中使用"},

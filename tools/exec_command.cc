@@ -13,6 +13,8 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "gtcalls/families.h"
+#include "gtcalls/family.h"
 #include "runtime/host/clock.h"
 #include "runtime/host/host_card.h"
 #include "runtime/scenario/call_record.h"
@@ -250,7 +252,7 @@ void AddExec(CLI::App& app, Invocation& invocation) {
                    invocation.Say({"virtual (default), real or real:SCALE",
                                    "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
-  const auto& card_names = gtcalls::kCardTypeNames;
+  const auto card_names = gtcalls::CardTypeNames();
   std::vector<std::string_view> defaults;
   for (const gtcalls::Family* family : gtcalls::Families()) {
     defaults.push_back(family->default_card.name);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gtcalls/families.h"
+
 namespace oncard::runtime {
 
 Result<const gtcalls::CardType*> CardFromEnvironment(const gtcalls::Family* family) {

@@ -1,6 +1,7 @@
 // liboncard_host.so, which `oncard exec` loads before everything else of a host program: makes the
-// C library's sleeps, clocks and time-outs use the virtual time of libgts, so that a program that
-// sleeps during a ten-second move finishes at once. This file contains sleeps and clocks:
+// C library's sleeps, clocks and time-outs use the virtual time of the host library, so that a
+// program that sleeps during a ten-second move finishes at once. This file contains sleeps and
+// clocks:
 //
 //   sleep usleep nanosleep clock_nanosleep thrd_sleep
 //   clock_gettime gettimeofday time timespec_get times
@@ -24,13 +25,20 @@ namespace {
 constexpr long long kCalendarBeginNs = 1'767'225'600 * kSecondNs;  // 2026-01-01 00:00:00 UTC
 constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
 
-/// Finds a function of libgts, or NULL in a process without it. A library that was loaded without
-/// RTLD_GLOBAL, as Python does, is found by its name.
+/// The host libraries of the families.
+constexpr const char* kHostLibraries[] = {
+#define FAMILY(name, Name) "lib" #name ".so",
+#include "gtcalls/families.def"
+};
+
+/// Finds a function of the host library, or NULL in a process without one. A library that was
+/// loaded without RTLD_GLOBAL, as Python does, is found by its name.
 template <typename Function>
-bool FindInLibgts(const char* name, Function** function) {
+bool FindInHostLibrary(const char* name, Function** function) {
   void* found = dlsym(RTLD_DEFAULT, name);
-  if (found == nullptr) {
-    void* library = dlopen("libgts.so", RTLD_LAZY | RTLD_NOLOAD);
+  for (const char* const each : kHostLibraries) {
+    if (found != nullptr) break;
+    void* library = dlopen(each, RTLD_LAZY | RTLD_NOLOAD);
     if (library != nullptr) found = dlsym(library, name);
   }
   *function = reinterpret_cast<Function*>(found);
@@ -53,8 +61,8 @@ bool SleepAndTell(const Hooks& hooks, long long duration_ns, timespec* rest) {
   return left_ns <= 0;
 }
 
-/// The functions of a program that is linked with libgts are found here, so that its handlers of
-/// signals need not look for them.
+/// The functions of a program that is linked with such a library are found here, so that its
+/// handlers of signals need not look for them.
 __attribute__((constructor)) void FindHooks() { VirtualHooks(); }
 
 }  // namespace
@@ -64,13 +72,13 @@ const Hooks* VirtualHooks() {
   static bool found = false;
   if (__atomic_load_n(&found, __ATOMIC_ACQUIRE)) return &hooks;
   decltype(oncard_host_virtual)* is_virtual = nullptr;
-  if (!FindInLibgts("oncard_host_virtual", &is_virtual) || is_virtual() == 0) return nullptr;
+  if (!FindInHostLibrary("oncard_host_virtual", &is_virtual) || is_virtual() == 0) return nullptr;
   Hooks all;
-  if (!FindInLibgts("oncard_host_time_ns", &all.time_ns) ||
-      !FindInLibgts("oncard_host_sleep_ns", &all.sleep_ns) ||
-      !FindInLibgts("oncard_host_wait_begin", &all.wait_begin) ||
-      !FindInLibgts("oncard_host_wait_slice_ns", &all.wait_slice_ns) ||
-      !FindInLibgts("oncard_host_wait_end", &all.wait_end)) {
+  if (!FindInHostLibrary("oncard_host_time_ns", &all.time_ns) ||
+      !FindInHostLibrary("oncard_host_sleep_ns", &all.sleep_ns) ||
+      !FindInHostLibrary("oncard_host_wait_begin", &all.wait_begin) ||
+      !FindInHostLibrary("oncard_host_wait_slice_ns", &all.wait_slice_ns) ||
+      !FindInHostLibrary("oncard_host_wait_end", &all.wait_end)) {
     return nullptr;
   }
   hooks = all;

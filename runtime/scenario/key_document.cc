@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/markup.h"
+#include "gtcalls/card_type.h"
 #include "runtime/observe/card_warnings.h"
 #include "runtime/scenario/key_table.h"
 
@@ -20,6 +21,14 @@ std::string RangeOf(const KeyType& type) {
   return fmt::format("{} to {}", type.smallest, type.largest);
 }
 
+template <typename Choices>
+std::string ListOf(const Choices& choices) {
+  std::vector<std::string> texts;
+  texts.reserve(choices.size());
+  for (const auto& choice : choices) texts.push_back(fmt::format("`{}`", choice));
+  return fmt::to_string(fmt::join(texts, " "));
+}
+
 /// What a key can hold, for a cell.
 std::string ValueOf(const KeyType& type) {
   switch (type.kind) {
@@ -27,13 +36,12 @@ std::string ValueOf(const KeyType& type) {
       return "text";
     case KeyKind::kTexts:
       return "list of texts";
-    case KeyKind::kChoice: {
-      std::vector<std::string> choices;
-      for (const std::string_view choice : type.choices) {
-        choices.push_back(fmt::format("`{}`", choice));
-      }
-      return fmt::to_string(fmt::join(choices, " "));
-    }
+    case KeyKind::kChoice:
+      return ListOf(type.choices);
+    case KeyKind::kCard:
+      return ListOf(gtcalls::CardTypeNames());
+    case KeyKind::kAxes:
+      return ListOf(gtcalls::AxisCounts());
     case KeyKind::kWhole:
       if (type.step == 1) return RangeOf(type);
       return fmt::format("{}, a multiple of {}", RangeOf(type), type.step);

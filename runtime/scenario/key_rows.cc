@@ -1,5 +1,4 @@
 // The keys of a scenario file outside its world, each in a row.
-#include "gtcalls/card_type.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/search_names.h"
 #include "vm/limits.h"
@@ -70,13 +69,13 @@ constexpr Key<Scenario> kScenarioKeys[] = {
      &Scenario::rate,
      true},
     {{"card",
-      KeyType::Choice(gtcalls::kCardTypeNames),
+      KeyType::Card(),
       {"the type of the card, which determines its number of axes", "控制卡的型号，它决定轴数"},
       {"a GTS card with the number of axes of `axes`; under `oncard exec` the one of `ONCARD_CARD`",
        "轴数由“axes”给出的 GTS 卡；`oncard exec` 下为 `ONCARD_CARD` 给出的卡"}},
      &Scenario::card},
     {{"axes",
-      KeyType::Whole(4, 12, 4),
+      KeyType::Axes(),
       {"number of axes of the card", "控制卡的轴数"},
       {"that of `card`, otherwise 8", "“card”的轴数，否则为 8"}},
      &Scenario::axis_count,

@@ -33,6 +33,8 @@ enum class KeyKind : uint8_t {
   kText,
   kTexts,   ///< a list
   kChoice,  ///< one of some texts
+  kCard,    ///< the name of a type of card
+  kAxes,    ///< a number of axes that a type of card has
   kWhole,
   kNumber,
   kNumbers,  ///< a list
@@ -62,6 +64,10 @@ struct KeyType {
   static constexpr KeyType Texts() { return {.kind = KeyKind::kTexts}; }
   static constexpr KeyType Choice(std::span<const std::string_view> choices) {
     return {.kind = KeyKind::kChoice, .choices = choices};
+  }
+  static constexpr KeyType Card() { return {.kind = KeyKind::kCard}; }
+  static constexpr KeyType Axes() {
+    return {.kind = KeyKind::kAxes, .smallest = 1, .largest = motion::kAxisMax};
   }
   static constexpr KeyType Whole(int64_t smallest, int64_t largest, int64_t step = 1) {
     return {.kind = KeyKind::kWhole,

@@ -3,8 +3,19 @@
 #include <fmt/ranges.h>
 
 #include "base/milliseconds.h"
+#include "gtcalls/card_type.h"
 
 namespace oncard::runtime {
+namespace {
+
+void ReadChoice(const toml::table& table, std::string_view key,
+                std::span<const std::string_view> choices, TomlKeys& keys, std::string* value) {
+  const size_t none = choices.size();
+  const size_t chosen = keys.Choice(table, key, choices, none);
+  if (chosen != none) *value = choices[chosen];
+}
+
+}  // namespace
 
 // --- Reading -------------------------------------------------------------------------------------
 
@@ -34,10 +45,13 @@ void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& ke
 
 void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& keys,
                std::string& value) {
-  if (key.type.kind != KeyKind::kChoice) return keys.Text(table, key.name, value);
-  const size_t none = key.type.choices.size();
-  const size_t chosen = keys.Choice(table, key.name, key.type.choices, none);
-  if (chosen != none) value = key.type.choices[chosen];
+  if (key.type.kind == KeyKind::kCard) {
+    ReadChoice(table, key.name, gtcalls::CardTypeNames(), keys, &value);
+  } else if (key.type.kind == KeyKind::kChoice) {
+    ReadChoice(table, key.name, key.type.choices, keys, &value);
+  } else {
+    keys.Text(table, key.name, value);
+  }
 }
 
 void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& keys,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json_text.h"
+#include "gtcalls/card_type.h"
 #include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
@@ -62,6 +63,12 @@ class SchemaWriter {
         return {{"type", "array"}, {"items", {{"type", "string"}}}};
       case KeyKind::kChoice:
         return {{"enum", std::vector<std::string>(type.choices.begin(), type.choices.end())}};
+      case KeyKind::kCard: {
+        const auto names = gtcalls::CardTypeNames();
+        return {{"enum", std::vector<std::string>(names.begin(), names.end())}};
+      }
+      case KeyKind::kAxes:
+        return {{"enum", gtcalls::AxisCounts()}};
       case KeyKind::kWhole: {
         Json whole = {{"type", "integer"}, {"minimum", static_cast<int64_t>(type.smallest)}};
         if (std::isfinite(type.largest)) whole["maximum"] = static_cast<int64_t>(type.largest);

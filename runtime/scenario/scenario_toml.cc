@@ -1,10 +1,14 @@
 // Reads scenario files: TOML to the Scenario structure. Unknown keys are errors; every error has
 // its place.
 // Tested by tests/runtime/scenario_parse_test.cc.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "base/files.h"
 #include "base/milliseconds.h"
+#include "gtcalls/families.h"
+#include "gtcalls/family.h"
 #include "runtime/scenario/bus_toml.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/keyed_toml.h"
@@ -78,7 +82,6 @@ class ScenarioReader : private TomlKeys {
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
     ReadDouble(table);
-    CheckAxisCount(table);
     ReadCard(table);
     CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
@@ -125,10 +128,15 @@ class ScenarioReader : private TomlKeys {
          {"'cycle_us' must be a multiple of 125", "“cycle_us”应为 125 的倍数"});
   }
 
+  /// A card without a name is one of the first family.
   void CheckAxisCount(const toml::table& table) {
-    if (scenario_.axis_count % RowOf(ScenarioKeys(), "axes").type.step == 0) return;
-    Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12, the sizes of the cards",
-                                       "“axes”应为 4、8 或 12：控制卡的轴数"});
+    const auto types = gtcalls::Families().front()->card_types;
+    std::vector<int> counts;
+    for (const gtcalls::CardType& type : types) counts.push_back(type.axis_count);
+    if (std::ranges::find(counts, scenario_.axis_count) != counts.end()) return;
+    Fail(table.get("axes")->source(),
+         MakeMessage("'axes' must be one of {0}, the sizes of the cards",
+                     "“axes”应为 {0} 之一：控制卡的轴数", fmt::to_string(fmt::join(counts, ", "))));
   }
 
   /// The card says how many axes there are.
@@ -144,7 +152,7 @@ class ScenarioReader : private TomlKeys {
       scenario_.card = host_card_->name;
     }
     const auto card = gtcalls::FindCard(scenario_.card);
-    if (!card) return;
+    if (!card) return CheckAxisCount(table);
     if (table.contains("axes") && scenario_.axis_count != card->type->axis_count) {
       Fail(table.get("axes")->source(),
            MakeMessage("'axes' is {0}, but the card {1} has {2} axes: remove 'axes'",

@@ -6,6 +6,7 @@
 
 #include "command_test_card.h"
 #include "gtcalls/card_type.h"
+#include "gtcalls/families.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -13,11 +14,12 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST(CardTypes, AreNamedOnceInAllFamilies) {
-  EXPECT_THAT(kCardTypeNames, ElementsAre("GTS-400", "GTS-800", "GTS-1200"));
-  size_t types = 0;
-  for (const Family* family : Families()) types += family->card_types.size();
-  EXPECT_EQ(types, std::size(kCardTypeNames));
+  EXPECT_THAT(CardTypeNames(), ElementsAre("GTS-400", "GTS-800", "GTS-1200"));
 }
+
+TEST(CardTypes, HaveTheseNumbersOfAxes) { EXPECT_THAT(AxisCounts(), ElementsAre(4, 8, 12)); }
+
+TEST(CardTypes, BeginWithThoseOfGts) { EXPECT_EQ(Families().front(), &GtsFamily()); }
 
 TEST(CardTypes, AreFoundWithTheirFamilyAndNumberOfAxes) {
   const struct {

@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"rate = \"5\"\n", "'rate' must be a whole number"},
         WrongCase{"rate = 5.5\n", "'rate' must be a whole number"},
         WrongCase{"card = \"GTS-500\"\n", "'card' must be one of GTS-400"},
-        WrongCase{"axes = 6\n", "'axes' must be 4, 8 or 12"},
+        WrongCase{"axes = 6\n", "'axes' must be one of 4, 8, 12"},
         WrongCase{"cycle_us = 300\n", "'cycle_us' must be a multiple of 125"},
         WrongCase{"until_ms = -1\n", "'until_ms' must be a time in ms"},
         WrongCase{"final = \"n == 1\"\n", "'final' must be a list of strings"},

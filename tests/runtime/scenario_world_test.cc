@@ -393,7 +393,7 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
     const char* text;
     const char* message;
   } cases[] = {
-      {"axes = 5\n", "w.toml:2:8: 'axes' must be 4, 8 or 12"},
+      {"axes = 5\n", "w.toml:2:8: 'axes' must be one of 4, 8, 12"},
       {"card = \"GTS-500\"\n", "w.toml:2:8: 'card' must be one of GTS-400, GTS-800, GTS-1200"},
       {"card = \"GTS-400\"\naxes = 8\n",
        "w.toml:3:8: 'axes' is 8, but the card GTS-400 has 4 axes: remove 'axes'"},
