@@ -13,7 +13,7 @@
 #include "base/json_reader.h"
 #include "base/json_text.h"
 #include "gtcalls/card_elements.h"
-#include "gtcalls/gts/family.h"
+#include "runtime/scenario/scenario_world.h"
 
 namespace oncard::runtime {
 namespace {
@@ -294,6 +294,7 @@ class RecordReader {
     if (line->Has("mram") && !ReadMemory(line, &world.value())) return Damaged();
     CallRecord opened;
     opened.card = card;
+    opened.family = &FamilyOf(world.value());
     opened.bare = bare;
     opened.opening = static_cast<int>(openings_[card].size()) + 1;
     opened.scenario = std::move(world).value();
@@ -302,7 +303,7 @@ class RecordReader {
   }
 
   static bool ReadMemory(LineReader* line, Scenario* scenario) {
-    const gtcalls::Family& family = gtcalls::GtsFamily();
+    const gtcalls::Family& family = FamilyOf(*scenario);
     gtcalls::FamilyState state = family.new_state();
     scenario->memory = line->Text("mram");
     return line->good() && family.restore_memory(scenario->memory, "", state).ok();
@@ -324,7 +325,7 @@ class RecordReader {
     RecordedCall call;
     call.time_us = line->Whole("us", LastUs(*record), kWholeMax);
     call.code = static_cast<int16_t>(line->Whole("code", INT16_MIN, INT16_MAX));
-    call.command = gtcalls::GtsFamily().catalogue.Find(line->Text("call"));
+    call.command = record->family->catalogue.Find(line->Text("call"));
     const Json& in = line->At("in");
     if (!line->good() || call.command == nullptr || !in.is_array()) return Damaged();
     const auto& parameters = call.command->parameters;

@@ -15,7 +15,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
-#include "gtcalls/catalogue.h"
+#include "gtcalls/family.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/call_text.h"
 #include "vm/object.h"
@@ -61,6 +61,7 @@ struct CallRecord {
   };
 
   int card = 0;
+  const gtcalls::Family* family = nullptr;  ///< of the card
   int opening = 1;    ///< the first, second ... time that the host opened the card
   Scenario scenario;  ///< the card and its surroundings
   bool bare = false;  ///< the host ran without a scenario: the card has no surroundings

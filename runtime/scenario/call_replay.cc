@@ -100,7 +100,7 @@ int16_t Act(const RecordedCall& call, const std::shared_ptr<const vm::Image>& pr
     controller->Load(program);
     return vm::kOk;
   }
-  if (call.command->name == "GT_Reset") {
+  if (controller->family().Resets(*call.command)) {
     controller->Reset();
     return vm::kOk;
   }
@@ -149,7 +149,7 @@ int64_t CallReplay::TimeUs(size_t number) const {
 }
 
 std::string CallReplay::Describe(size_t number) const {
-  if (number == record_.calls.size()) return "GT_Close()";
+  if (number == record_.calls.size()) return FormatClosing();
   const RecordedCall& call = record_.calls[number];
   return FormatInputs(*call.command, Arguments(call, nullptr).span());
 }
@@ -189,9 +189,13 @@ HostCalls::Done CallReplay::Perform(size_t number, Controller* controller, bool 
   return done;
 }
 
+std::string CallReplay::FormatClosing() const {
+  return std::string(record_.family->close_command) + "()";
+}
+
 HostCalls::Done CallReplay::ExecuteEnd(const Controller& controller) const {
   Done done;
-  done.text = {"GT_Close() = 0", "GT_Close() = 0"};
+  done.text = {FormatClosing() + " = 0", FormatClosing() + " = 0"};
   const uint64_t hash = controller.Hash();
   if (hash != record_.end->hash) {
     done.deviation = MakeMessage(

@@ -52,6 +52,8 @@ class CallReplay final : public HostCalls {
 
   Done Perform(size_t number, Controller* controller, bool described) const override;
   Done ExecuteEnd(const Controller& controller) const;
+  /// The end as a call.
+  std::string FormatClosing() const;
 
   CallRecord record_;
   std::vector<std::shared_ptr<const vm::Image>> programs_;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <memory>
 
+#include "gtcalls/families.h"
+
 namespace oncard::runtime {
 namespace {
 
@@ -155,9 +157,14 @@ motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
 
 }  // namespace
 
+const gtcalls::Family& FamilyOf(const Scenario& scenario) {
+  const auto card = gtcalls::FindCard(scenario.card);
+  return card ? *card->family : *gtcalls::Families().front();
+}
+
 ControllerOptions CardOptions(const Scenario& scenario) {
   ControllerOptions options;
-  if (const auto card = gtcalls::FindCard(scenario.card)) options.family = card->family;
+  options.family = &FamilyOf(scenario);
   options.motion.axis_count = scenario.axis_count;
   options.motion.cycle_us = scenario.cycle_us;
   options.rate = scenario.rate;

@@ -7,7 +7,10 @@
 
 namespace oncard::runtime {
 
-/// The card a scenario describes: its size, cycle and rate.
+/// The family of the card: that of its name, without one the first.
+const gtcalls::Family& FamilyOf(const Scenario& scenario);
+
+/// The card a scenario describes: its family, size, cycle and rate.
 ControllerOptions CardOptions(const Scenario& scenario);
 
 /// Puts a controller that was made with CardOptions() and has just been switched on into the
