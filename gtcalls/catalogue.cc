@@ -75,6 +75,7 @@ std::string DeclareParameter(const Parameter& parameter) {
   if (!parameter.type_name.empty()) type = parameter.type_name;
   switch (parameter.passing) {
     case Passing::kValue:
+    case Passing::kHandler:
       return fmt::format("{} {}", type, parameter.name);
     case Passing::kText:
       return fmt::format("const char *{}", parameter.name);

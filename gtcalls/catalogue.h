@@ -30,12 +30,13 @@ enum class Scalar : uint8_t {
 
 /// How a parameter is passed.
 enum class Passing : uint8_t {
-  kValue,      ///< a scalar by value
-  kInput,      ///< pointer: the command reads what it points to
-  kOutput,     ///< pointer: the command writes what it points to
-  kLent,       ///< pointer to working memory for the vendor's library: never accessed here
-  kText,       ///< `char*`: a NUL-terminated name or file name, read only
-  kTextOutput  ///< `char**`: receives the address of a text that the library keeps
+  kValue,       ///< a scalar by value
+  kInput,       ///< pointer: the command reads what it points to
+  kOutput,      ///< pointer: the command writes what it points to
+  kLent,        ///< pointer to working memory for the vendor's library: never accessed here
+  kText,        ///< `char*`: a NUL-terminated name or file name, read only
+  kTextOutput,  ///< `char**`: receives the address of a text that the library keeps
+  kHandler      ///< a function of the host, which the host library calls
 };
 
 /// Reliability of the interface row: A in the manuals or accepted by the vendor's compiler, B in
@@ -140,7 +141,8 @@ enum class Unit : uint8_t {
 struct Parameter {
   std::string_view name;
   Scalar type = Scalar::kShort;
-  /// The name of an enumeration of the header that stands for the type; empty: the type itself.
+  /// The name of an enumeration of the header that stands for the type, or of a handler's type;
+  /// empty: the type itself.
   std::string_view type_name;
   const Structure* structure = nullptr;  ///< pointer to a structure; `type` is then unused
   Passing passing = Passing::kValue;

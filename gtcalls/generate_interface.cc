@@ -1,23 +1,24 @@
 // Writes the files that are derived from the catalogue of a family, at build time:
 //
-//   generate_interface FAMILY header FILE               its header, gts.h
-//   generate_interface FAMILY module-header FILE        the header of its module, LookAheadEx.h
+//   generate_interface FAMILY header FILE               its header
+//   generate_interface FAMILY module-header FILE        the header of its module
 //   generate_interface FAMILY entry-points FILE         the library's functions
 //   generate_interface FAMILY multi-entry-points FILE   the same with a card number
 //   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
 //   generate_interface FAMILY structures FILE           structures of the header as cells and back
 //   generate_interface FAMILY markdown FILE             docs/commands.md
 //
-// The header contains every prototype once. Defining GTS_MULTI_CARD before including it adds `short
-// cardNum` as the first parameter and renames the functions, GT_Update to GTM_Update, so that one
-// library serves both generations and the functions cannot be confused.
+// The header contains every prototype once. A family can have functions with a card number, too:
+// defining GTS_MULTI_CARD before including gts.h adds `short cardNum` as the first parameter and
+// renames the functions, GT_Update to GTM_Update, so that one library serves both generations and
+// the functions cannot be confused.
 //
-// A host may be compiled with the vendor's own gts.h, which is in the same folder as its source.
-// Where a structure has another layout there (basic_layouts.def), the commands that take it have
-// two entry points: one with the plain name, for that header, and one with the prefix GTX_, which
-// our gts.h uses.
+// A host may be compiled with the vendor's own header, which is in the same folder as its source.
+// Where a structure has another layout there (gts/basic_layouts.def), the commands that take it
+// have two entry points: one with the plain name, for that header, and one with another prefix,
+// GTX_ for GTS, which our header uses.
 //
-// The names are those of GTS; every family defines its own (interface_form.h).
+// Every family defines its names, and which of these parts it has (interface_form.h).
 //
 // Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
 #include <fmt/format.h>
@@ -124,11 +125,13 @@ void AppendComment(std::string* out, const Command& command) {
 
 void AppendPrototype(std::string* out, const InterfaceForm& form, const Command& command) {
   const std::string_view prefix = form.macro_prefix;
+  const bool multi_card = !form.multi_card_prefix.empty();
+  std::string line = fmt::format("{} {}(", form.api, command.name);
   if (command.parameters.empty()) {
-    Append(out, "{} {}({}CARD_ONLY_);\n", form.api, command.name, prefix);
+    *out += line + (multi_card ? fmt::format("{}CARD_ONLY_", prefix) : "void") + ");\n";
     return;
   }
-  std::string line = fmt::format("{} {}({}CARD_ ", form.api, command.name, prefix);
+  if (multi_card) Append(&line, "{}CARD_ ", prefix);
   for (size_t i = 0; i < command.parameters.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
     std::string word = DeclareParameter(parameter);
@@ -153,9 +156,9 @@ void AppendPrototype(std::string* out, const InterfaceForm& form, const Command&
   *out += line + "\n";
 }
 
-bool IsOfModule(const HeaderModule& module, const Structure& structure) {
-  return std::find(module.structures.begin(), module.structures.end(), structure.name) !=
-         module.structures.end();
+bool IsOfModule(const InterfaceForm& form, const Structure& structure) {
+  return form.module != nullptr && std::ranges::find(form.module->structures, structure.name) !=
+                                       form.module->structures.end();
 }
 
 /// The commands of the module's header, or of the main one, with the topics before them.
@@ -163,7 +166,9 @@ std::vector<Line> LinesOf(const InterfaceForm& form, bool module) {
   std::vector<Line> lines;
   bool in_module = false;
   for (const Line& line : form.catalogue.lines()) {
-    if (line.command == nullptr) in_module = line.topic == form.module.topic;
+    if (line.command == nullptr) {
+      in_module = form.module != nullptr && line.topic == form.module->topic;
+    }
     if (in_module == module) lines.push_back(line);
   }
   return lines;
@@ -172,17 +177,17 @@ std::vector<Line> LinesOf(const InterfaceForm& form, bool module) {
 void AppendStructures(std::string* out, const InterfaceForm& form, bool module) {
   *out += "\n/* --- Structures --- */\n";
   for (const Structure& structure : form.catalogue.structures()) {
-    if (IsOfModule(form.module, structure) != module) continue;
+    if (IsOfModule(form, structure) != module) continue;
     Append(out, "\ntypedef struct {} {{\n", structure.name);
     for (const Member& member : structure.members) AppendMember(out, member);
     Append(out, "}} {};\n", structure.name);
   }
 }
 
-/// What the prototypes of one header need, the prototypes, and the end of the header.
-void AppendPrototypes(std::string* out, const InterfaceForm& form, bool module) {
+/// The switch between functions with a card number and without, for the commands of `lines`.
+void AppendMultiCardSwitch(std::string* out, const InterfaceForm& form,
+                           const std::vector<Line>& lines) {
   const std::string_view prefix = form.macro_prefix;
-  const std::vector<Line> lines = LinesOf(form, module);
   Append(out,
          "\n#ifdef {0}MULTI_CARD\n#define {0}CARD_ short cardNum,\n"
          "#define {0}CARD_ONLY_ short cardNum\n",
@@ -194,6 +199,13 @@ void AppendPrototypes(std::string* out, const InterfaceForm& form, bool module) 
       Append(out, "#define {} {}\n", command.name, MultiCardName(form, command));
   }
   *out += form.one_card;
+}
+
+/// What the prototypes of one header need, the prototypes, and the end of the header.
+void AppendPrototypes(std::string* out, const InterfaceForm& form, bool module) {
+  const std::vector<Line> lines = LinesOf(form, module);
+  const bool multi_card = !form.multi_card_prefix.empty();
+  if (multi_card) AppendMultiCardSwitch(out, form, lines);
   for (const Line& line : lines) {
     if (line.command == nullptr) {
       Append(out, "\n/* --- {} --- */\n", line.topic);
@@ -204,8 +216,15 @@ void AppendPrototypes(std::string* out, const InterfaceForm& form, bool module) 
     AppendComment(out, command);
     AppendPrototype(out, form, command);
   }
-  for (const std::string_view macro : {"CARD_", "CARD_ONLY_", "DEFAULT_", "WIDE_"}) {
-    Append(out, "{}#undef {}{}\n", macro == "CARD_" ? "\n" : "", prefix, macro);
+  if (!module && !form.overloads.empty()) {
+    Append(out, "\n#ifdef __cplusplus\n{}#endif\n", form.overloads);
+  }
+  *out += '\n';
+  std::vector<std::string_view> macros = {"DEFAULT_"};
+  if (multi_card) macros.insert(macros.begin(), {"CARD_", "CARD_ONLY_"});
+  if (!form.basic_layouts.empty()) macros.emplace_back("WIDE_");
+  for (const std::string_view macro : macros) {
+    Append(out, "#undef {}{}\n", form.macro_prefix, macro);
   }
   *out += "\n#endif\n";
 }
@@ -226,8 +245,10 @@ std::string Header(const InterfaceForm& form) {
   return out;
 }
 
+/// Empty without a module.
 std::string ModuleHeader(const InterfaceForm& form) {
-  std::string out(form.module.head);
+  if (form.module == nullptr) return {};
+  std::string out(form.module->head);
   AppendStructures(&out, form, true);
   AppendPrototypes(&out, form, true);
   return out;
@@ -235,18 +256,22 @@ std::string ModuleHeader(const InterfaceForm& form) {
 
 // --- Entry points -------------------------------------------------------------------------------
 
+void AppendModuleInclude(std::string* out, const InterfaceForm& form) {
+  if (form.module != nullptr) Append(out, "#include \"{}.h\"\n", form.module->file);
+}
+
 /// The functions of one generation, compiled with the prototypes of its header. For functions with
 /// a card number the header does the renaming.
 std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
   std::string out;
   Append(&out,
          "// The library's entry points{}. Generated: do not edit.\n"
-         "#include \"{}{}.h\"\n"
-         "#include \"{}.h\"\n"
-         "#include \"runtime/host/host_api.h\"\n\n"
-         "using oncard::runtime::CallFromHost;\n",
-         multi_card ? " with a card number" : "", form.catalogue.name(), multi_card ? "_multi" : "",
-         form.module.file);
+         "#include \"{}{}.h\"\n",
+         multi_card ? " with a card number" : "", form.header, multi_card ? "_multi" : "");
+  AppendModuleInclude(&out, form);
+  out +=
+      "#include \"runtime/host/host_api.h\"\n\n"
+      "using oncard::runtime::CallFromHost;\n";
   for (const Command& command : form.catalogue.commands()) {
     if (!command.on_host) continue;
     std::string declarations = Declarations(command);
@@ -343,7 +368,7 @@ Ours* Wide(Basic* host, Ours* wide) {{
 /// The functions with plain names, as the vendor's basic header declares them. They call ours.
 std::string BasicEntryPoints(const InterfaceForm& form) {
   std::string out;
-  Append(&out, kBasicHead, form.catalogue.name());
+  Append(&out, kBasicHead, form.header);
   for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, layout);
   for (const Command& command : form.catalogue.commands()) {
     if (command.on_host && HasBasic(form, command)) AppendBasicEntryPoint(&out, form, command);
@@ -357,9 +382,9 @@ constexpr std::string_view kStructuresHead =
     R"(// The structures of {0}.h as cells and back. Generated: do not edit.
 #include "runtime/host/host_structures.h"
 
-#include "gtcalls/{0}/catalogue.h"
-#include "{1}.h"
-
+#include "{1}"
+#include "{0}.h"
+{2}
 namespace oncard::runtime {{
 namespace {{
 
@@ -401,7 +426,9 @@ void AppendVisit(std::string* out, const Member& member) {
 std::string StructureConversions(const InterfaceForm& form) {
   const Catalogue& catalogue = form.catalogue;
   std::string out;
-  Append(&out, kStructuresHead, catalogue.name(), form.module.file);
+  std::string module;
+  AppendModuleInclude(&module, form);
+  Append(&out, kStructuresHead, form.header, form.catalogue_file, module);
   std::string read_cases;
   std::string write_cases;
   std::string size_cases;

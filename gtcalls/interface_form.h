@@ -25,28 +25,37 @@ struct TopicLine {
 
 struct InterfaceForm {
   const Catalogue& catalogue;
-  /// The function that returns the catalogue, declared in catalogue.h in the family's folder.
+  /// The function that returns the catalogue, and the file that declares it.
   std::string_view catalogue_function;
+  std::string_view catalogue_file;
+  /// The header without .h.
+  std::string_view header;
   /// The macro at the beginning of a prototype.
   std::string_view api;
-  /// The prefix of all other macros. The one that ends with MULTI_CARD is the switch to several
-  /// cards.
+  /// The prefix of all other macros.
   std::string_view macro_prefix;
-  /// The prefix of command names, and those that replace it in the names of functions with a card
-  /// number and of functions for commands that take a structure which is also in `basic_layouts`.
+  /// The prefix of command names.
   std::string_view command_prefix;
-  std::string_view multi_card_prefix;
-  std::string_view wide_prefix;
   /// The header up to its constants.
   std::string_view head;
-  /// The header after the names with a card number: the end of the switch, with #else.
-  std::string_view one_card;
-  /// Structures with another layout in the vendor's basic header.
-  std::span<const Structure> basic_layouts;
-  /// The module whose header includes the main one.
-  HeaderModule module;
   /// The topics of the catalogue with their notes, for the documentation.
   std::span<const TopicLine> topics;
+
+  // Parts that a family need not have.
+
+  /// Inline functions for C++ after the prototypes: other spellings of hosts.
+  std::string_view overloads = {};
+  /// Functions with a card number: they have this prefix. The macro that ends with MULTI_CARD is
+  /// the switch to them.
+  std::string_view multi_card_prefix = {};
+  /// The header after the names with a card number: the end of the switch, with #else.
+  std::string_view one_card = {};
+  /// Structures with another layout in the vendor's basic header, and the prefix of the functions
+  /// that take them in ours.
+  std::span<const Structure> basic_layouts = {};
+  std::string_view wide_prefix = {};
+  /// The module whose header includes the main one.
+  const HeaderModule* module = nullptr;
 };
 
 /// Those of the families that a generator knows, defined beside its list of families.

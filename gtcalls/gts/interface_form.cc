@@ -116,6 +116,9 @@ typedef enum EWorkLimitMode { WORK_LIMIT_INVALID = 0, WORK_LIMIT_VALID } EWorkLi
 
 constexpr std::string_view kLookAheadStructures[] = {"TLookAheadParameter", "TPreStartPos"};
 
+constexpr HeaderModule kLookAhead = {"LookAheadEx", "Multi-axis look-ahead", kLookAheadHead,
+                                     kLookAheadStructures};
+
 using namespace gts::structures;
 using namespace words::members;
 
@@ -137,19 +140,20 @@ constexpr TopicLine kTopics[] = {
 }  // namespace
 
 const InterfaceForm& GtsInterfaceForm() {
-  static const InterfaceForm kForm = {
-      GtsCatalogue(),
-      "GtsCatalogue",
-      "GT_API",
-      "GTS_",
-      "GT_",
-      "GTM_",
-      "GTX_",
-      kHead,
-      kOneCard,
-      kBasicLayouts,
-      {"LookAheadEx", "Multi-axis look-ahead", kLookAheadHead, kLookAheadStructures},
-      kTopics};
+  static const InterfaceForm kForm = {.catalogue = GtsCatalogue(),
+                                      .catalogue_function = "GtsCatalogue",
+                                      .catalogue_file = "gtcalls/gts/catalogue.h",
+                                      .header = "gts",
+                                      .api = "GT_API",
+                                      .macro_prefix = "GTS_",
+                                      .command_prefix = "GT_",
+                                      .head = kHead,
+                                      .topics = kTopics,
+                                      .multi_card_prefix = "GTM_",
+                                      .one_card = kOneCard,
+                                      .basic_layouts = kBasicLayouts,
+                                      .wide_prefix = "GTX_",
+                                      .module = &kLookAhead};
   return kForm;
 }
 

@@ -155,6 +155,12 @@ constexpr Spec Text(std::string_view name) { return Scalars(Scalar::kChar, name,
 constexpr Spec TextOutput(std::string_view name) {
   return Scalars(Scalar::kChar, name, Passing::kTextOutput);
 }
+/// A function of the host; the header declares its type.
+constexpr Spec Handler(std::string_view type, std::string_view name) {
+  Spec spec = Scalars(Scalar::kChar, name, Passing::kHandler);
+  spec.parameter.type_name = type;
+  return spec;
+}
 constexpr Spec Struct(const Structure& structure, std::string_view name) {
   Spec spec = Short(name);
   spec.parameter.structure = &structure;

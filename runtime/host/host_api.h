@@ -44,7 +44,11 @@ HostArgument ToHostArgument(T argument) {
   HostArgument result;
   if constexpr (std::is_pointer_v<T>) {
     result.kind = HostArgument::Kind::kPointer;
-    result.pointer = const_cast<void*>(static_cast<const void*>(argument));
+    if constexpr (std::is_function_v<std::remove_pointer_t<T>>) {
+      result.pointer = reinterpret_cast<void*>(argument);
+    } else {
+      result.pointer = const_cast<void*>(static_cast<const void*>(argument));
+    }
   } else if constexpr (std::is_floating_point_v<T>) {
     result.kind = HostArgument::Kind::kReal;
     result.real = argument;

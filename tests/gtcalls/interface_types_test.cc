@@ -56,6 +56,8 @@ constexpr bool Agrees(const Parameter& parameter) {
       return std::is_same_v<T, const char*>;
     case Passing::kTextOutput:
       return std::is_same_v<T, char**>;
+    case Passing::kHandler:
+      return std::is_function_v<Target>;
     case Passing::kInput:
     case Passing::kOutput:
     case Passing::kLent:
