@@ -26,7 +26,7 @@ struct Supervisor::CallSite {
   uint16_t instruction = 0;
   // Of the host.
   uint16_t command = 0;
-  std::array<double, 2> values{};  ///< the first arguments
+  std::array<double, 2> values{};  ///< the first arguments, if they are values
 
   bool known() const { return caller != kNone; }
 };
@@ -209,7 +209,11 @@ CommandPlace Supervisor::PlaceOfSite(const CallSite& site) const {
   const gtcalls::Command& command = *controller_.family().catalogue.Find(site.command);
   CommandPlace place;
   place.call = command.name;
-  if (command.parameters.size() > site.values.size()) return place;
+  const bool kept = command.parameters.size() <= site.values.size() &&
+                    std::ranges::all_of(command.parameters, [](const gtcalls::Parameter& each) {
+                      return each.passing == gtcalls::Passing::kValue;
+                    });
+  if (!kept) return place;
   std::vector<vm::CommandArgument> arguments(command.parameters.size());
   for (size_t i = 0; i < arguments.size(); ++i) arguments[i].value = site.values[i];
   place.call = FormatInputs(command, arguments);
