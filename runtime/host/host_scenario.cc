@@ -1,5 +1,6 @@
 #include "runtime/host/host_scenario.h"
 
+#include <fmt/ranges.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
 #include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
 
 namespace oncard::runtime {
 namespace {
@@ -42,6 +44,17 @@ Verdict& VerdictOfProcess() {
   return verdict;
 }
 
+/// A scenario at `path` has a card of another family than the library.
+Error WrongFamily(std::string_view path, const gtcalls::Family& family) {
+  std::vector<std::string_view> names;
+  for (const gtcalls::CardType& type : LibraryFamily().card_types) names.push_back(type.name);
+  return MakeError(1,
+                   "{0}: the scenario has a card of the family {1}, and the host uses lib{2}: "
+                   "'card' must be one of {3}",
+                   "{0}：场景中的控制卡属于系列 {1}，而主机程序使用 lib{2}：“card”应为 {3} 之一",
+                   path, family.name, LibraryFamily().name, fmt::to_string(fmt::join(names, ", ")));
+}
+
 Result<std::shared_ptr<const Scenario>> ReadScenario() {
   const char* path = std::getenv("ONCARD_SCENARIO");
   if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
@@ -49,6 +62,8 @@ Result<std::shared_ptr<const Scenario>> ReadScenario() {
   if (!card.ok()) return card.error();
   auto scenario = LoadScenario(path, ScenarioUse::kHost, card.value());
   if (!scenario.ok()) return scenario.error();
+  const gtcalls::Family& family = FamilyOf(scenario.value());
+  if (&family != &LibraryFamily()) return WrongFamily(path, family);
   return std::make_shared<const Scenario>(std::move(scenario).value());
 }
 

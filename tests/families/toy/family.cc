@@ -1,0 +1,71 @@
+// The family: cards of two and of three axes, whose one motion is a jog.
+#include "gtcalls/family.h"
+#include "gtcalls/card.h"
+#include "motion/profiles/modes.h"
+#include "tests/families/toy/catalogue.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+constexpr CardType kCardTypes[] = {{"TOY-2", 2}, {"TOY-3", 3}};
+
+int16_t Move(Call& call) {
+  const std::span<const double> motion = call.cells(1);
+  if (!(motion[1] > 0)) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("acceleration is {}; it must be above 0",
+                                                      "acceleration 为 {}；应大于 0", motion[1]));
+  }
+  const auto axis = static_cast<size_t>(call.integer(0) - 1);
+  motion::Profile& profile = call.card.motion.state().profiles[axis];
+  profile.mode = motion::ProfileMode::kJog;
+  profile.jog.parameters = {motion[1], motion[1], 0};
+  profile.jog.velocity = motion[0];
+  call.card.motion.ServoOn(axis);
+  call.card.motion.StartProfile(axis);
+  return vm::kOk;
+}
+
+/// In the order of the commands' numbers.
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr};
+
+}  // namespace
+
+const Family& ToyFamily() {
+  static const Family kFamily = {
+      .name = "toy",
+      .catalogue = ToyCatalogue(),
+      .functions = kFunctions,
+      .not_supported = 8,
+      .not_open = -1,
+      .open_failed = -5,
+      .open_command = "TOY_Open",
+      .close_command = "TOY_Close",
+      .reset_commands = {},
+      .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
+      .motion_role = [](const Command&) { return MotionRole::kNone; },
+      .advised = {},
+      .finish = nullptr,
+      .card_types = kCardTypes,
+      .default_card = kCardTypes[0],
+      .defaults = {},
+      .cost_us = [](const Command& command) -> int64_t {
+        return command.cost == Cost::kNone ? 0 : 50;
+      },
+      .status_word = [](const CardView& card, size_t axis) { return card.motion.Conditions(axis); },
+      .mode_number = [](motion::ProfileMode mode) { return static_cast<int>(mode); },
+      // A family that keeps something has an alternative of its own in family_state.h.
+      .new_state = [] { return FamilyState(); },
+      .reset = [](FamilyState&) {},
+      .forget_program = [](FamilyState&) {},
+      .after_tick = [](Card&) {},
+      .before_threads = [](Card&) {},
+      .acts_each_cycle = [](const CardView&) { return false; },
+      .writes_variables = [](const CardView&) { return false; },
+      .memory_text = [](const FamilyState&) { return std::string(); },
+      .restore_memory = [](std::string_view, std::string_view,
+                           FamilyState&) { return Result<void>(); },
+  };
+  return kFamily;
+}
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,50 @@
+// toy.h: without a module, functions for several cards and other layouts, with an overload.
+#include "gtcalls/interface_form.h"
+
+#include "tests/families/toy/catalogue.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+constexpr std::string_view kHead =
+    R"(/* Commands of the family that only the tests have. Generated: do not edit. */
+#ifndef ONCARD_TOY_H_
+#define ONCARD_TOY_H_
+
+#ifdef __cplusplus
+#define TOY_API extern "C" __attribute__((visibility("default"))) short
+#define TOY_DEFAULT_(value) = value
+#else
+#define TOY_API __attribute__((visibility("default"))) short
+#define TOY_DEFAULT_(value)
+#endif
+
+typedef void (*TOY_Handler)(int card);
+)";
+
+constexpr std::string_view kOverloads =
+    R"(inline short TOY_Move(short axis, double velocity, double acceleration) {
+  TToyMotion motion = {velocity, acceleration};
+  return TOY_Move(axis, &motion);
+}
+)";
+
+constexpr TopicLine kTopics[] = {{"All", {}}};
+
+}  // namespace
+
+const InterfaceForm& ToyInterfaceForm() {
+  static const InterfaceForm kForm = {.catalogue = ToyCatalogue(),
+                                      .catalogue_function = "ToyCatalogue",
+                                      .catalogue_file = "tests/families/toy/catalogue.h",
+                                      .header = "toy",
+                                      .api = "TOY_API",
+                                      .macro_prefix = "TOY_",
+                                      .command_prefix = "TOY_",
+                                      .head = kHead,
+                                      .topics = kTopics,
+                                      .overloads = kOverloads};
+  return kForm;
+}
+
+}  // namespace oncard::gtcalls

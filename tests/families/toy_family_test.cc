@@ -1,0 +1,116 @@
+// A family that only the tests have, from its header to a replay: its hosts in C and C++ run under
+// `oncard exec`, with a log, a record and a scenario.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kFolder = ONCARD_TOY_FOLDER;
+
+/// The command oncard that knows the family.
+ProcessResult RunToy(std::vector<std::string> arguments, const ScratchFolder& folder,
+                     const std::vector<std::string>& environment = {}) {
+  arguments.insert(arguments.begin(), kFolder + "/bin/oncard_toy");
+  return RunProgram(arguments, folder.path(), environment);
+}
+
+class ToyFamily : public testing::TestWithParam<const char*> {
+ protected:
+  /// Runs the host under `oncard exec` with some options.
+  ProcessResult Exec(std::vector<std::string> options,
+                     const std::vector<std::string>& environment = {}) const {
+    options.insert(options.begin(), "exec");
+    options.insert(options.end(), {"--", kFolder + "/toy_host_" + GetParam()});
+    return RunToy(options, folder_, environment);
+  }
+
+  ScratchFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Hosts, ToyFamily, testing::Values("c", "cpp"),
+                         [](const auto& language) { return std::string(language.param); });
+
+TEST_P(ToyFamily, HasALogInVirtualTime) {
+  const ProcessResult host = Exec({"--card=TOY-3"}, {"ONCARD_LOG=calls:log.txt"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out, "card 0\n");
+  EXPECT_EQ(folder_.Read("log.txt"),
+            "0.000 card0 TOY_Open(0) = 0\n"
+            "0.000 card0 TOY_Call(handler) = 0\n"
+            "0.050 card0 TOY_Move(3, {velocity=10, acceleration=1}) = 0\n"
+            "0.100 card0 TOY_Move(4, {velocity=10, acceleration=1}) = 7: parameter axis is 4; this "
+            "card has 1 to 3\n"
+            "100.100 card0 TOY_Close() = 0\n");
+}
+
+TEST_P(ToyFamily, HasADefaultCardOfItsOwn) {
+  EXPECT_THAT(Exec({}).err, HasSubstr("parameter axis is 3; this card has 1 to 2"));
+}
+
+TEST_P(ToyFamily, IsReplayedFromItsRecord) {
+  ASSERT_EQ(Exec({"--card=TOY-3", "--record=host.calls"}).exit_code, 0);
+  const std::string record = folder_.Read("host.calls");
+  EXPECT_THAT(record, AllOf(HasSubstr(R"(card = \"TOY-3\")"), HasSubstr(R"("call":"TOY_Move")")));
+  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder_);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  // With another velocity the card is in another state at the end.
+  std::string changed = record;
+  folder_.Write("host.calls", changed.replace(changed.find("[10,1]"), 6, "[11,1]"));
+  EXPECT_NE(RunToy({"replay", "host.calls"}, folder_).exit_code, 0);
+  // A command oncard without the family says which cards it knows.
+  folder_.Write("host.calls", record);
+  EXPECT_THAT(RunOncard({"replay", "host.calls"}, folder_.path()).err,
+              HasSubstr("'card' must be one of GTS-400, GTS-800, GTS-1200"));
+}
+
+/// The axis accelerates for 10 ms to 10 pulse/ms, from the first cycle after 0.05 ms on.
+constexpr const char* kScenario = R"(card = "TOY-3"
+expect = [
+  "axis3.prfVel == 10 @ 50ms",
+  "axis3.prfPos == 948 +- 3 @ 100ms",
+]
+)";
+
+TEST_P(ToyFamily, MeetsTheExpectationsOfAScenario) {
+  folder_.Write("move.host.toml", kScenario);
+  const ProcessResult host = Exec({"--scenario=move.host.toml"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  folder_.Write("move.host.toml", std::string(kScenario) + "final = [\"axis3.prfVel == 0\"]\n");
+  EXPECT_EQ(Exec({"--scenario=move.host.toml"}).exit_code, 120);
+}
+
+TEST_P(ToyFamily, RefusesTheScenarioOfAnotherFamily) {
+  for (const char* scenario : {"card = \"GTS-800\"\n", "limit_ms = 1000\n"}) {
+    folder_.Write("gts.host.toml", scenario);
+    const ProcessResult host = Exec({"--scenario=gts.host.toml"});
+    EXPECT_EQ(host.exit_code, 5) << scenario;  // open_failed
+    EXPECT_THAT(host.err, HasSubstr("a card of the family gts, and the host uses libtoy: 'card' "
+                                    "must be one of TOY-2, TOY-3"))
+        << scenario;
+  }
+}
+
+TEST_P(ToyFamily, RefusesTheCardOfAnotherFamily) {
+  const ProcessResult host = Exec({"--card=GTS-800"});
+  EXPECT_EQ(host.exit_code, 5);
+  EXPECT_THAT(host.err, HasSubstr("ONCARD_CARD is 'GTS-800', expected one of TOY-2, TOY-3"));
+}
+
+TEST(ToyCommands, AreListed) {
+  const ScratchFolder folder;
+  const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);
+  EXPECT_THAT(doctor.out, AllOf(HasSubstr("TOY_Move"), Not(HasSubstr("not supported"))));
+}
+
+}  // namespace
+}  // namespace oncard::tools
