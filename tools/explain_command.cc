@@ -53,7 +53,7 @@ int Explain(const std::vector<std::string>& words, const Invocation& invocation)
   }
   // A number can be both, but with MP in front of it only a diagnostic.
   std::optional<Message> return_code;
-  if (const auto number = ReadWhole<int>(text)) return_code = gtcalls::ReturnCodePage(*number);
+  if (const auto number = ReadWhole<int>(text)) return_code = gtcalls::gts::ReturnCodePage(*number);
   if (return_code) PrintResult(return_code->In(invocation.language));
   const std::vector<int> codes = compiler::SearchDiagnostics(text);
   if (return_code && !codes.empty()) PrintResult("\n");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// In `detail` of a variable of the program: among the globals. Otherwise its data page.
@@ -75,4 +75,4 @@ bool WillWriteProgram(const motion::MotionCore& motion) {
   });
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

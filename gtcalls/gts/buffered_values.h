@@ -9,7 +9,7 @@
 #include "gtcalls/card.h"
 #include "vm/machine.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The target of the value: GT_BufSetLongVar, GT_BufSetDoubleVar, GT_BufSetVarValue.
 enum class ValueTarget : uint8_t { kLong, kDouble, kProgram };
@@ -35,4 +35,4 @@ void WriteReachedValues(Card& card);
 /// True if a running coordinate system will still write a variable of the motion program.
 bool WillWriteProgram(const motion::MotionCore& motion);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -11,7 +11,7 @@
 #include "base/trim.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::DiType;
@@ -156,7 +156,7 @@ class ConfigReader {
     }
     constexpr std::string_view kAxisSections[] = {"profile", "axis", "control",
                                                   "dac",     "step", "encoder"};
-    return std::ranges::count(kAxisSections, name) > 0 ? gts::kAxisMax : 0;
+    return std::ranges::count(kAxisSections, name) > 0 ? kAxisMax : 0;
   }
 
   void ReadKey(std::string_view name, std::string_view text) {
@@ -211,7 +211,7 @@ class ConfigReader {
 /// The number of an axis, controller or encoder, counted from 0; empty for "none" and for invalid
 /// numbers.
 std::optional<size_t> IndexFrom(double number) {
-  if (!(number >= 1 && number <= gts::kAxisMax)) return std::nullopt;
+  if (!(number >= 1 && number <= kAxisMax)) return std::nullopt;
   return static_cast<size_t>(number - 1);
 }
 
@@ -227,13 +227,13 @@ int16_t ShortFrom(double value, double smallest, double largest) {
 
 /// Profiles or encoders of the largest GTS card; further bits are ignored.
 uint32_t MapFrom(double value) {
-  constexpr uint32_t kAll = (uint32_t{1} << gts::kAxisMax) - 1;
+  constexpr uint32_t kAll = (uint32_t{1} << kAxisMax) - 1;
   return value >= 0 && value <= 4294967295.0 ? static_cast<uint32_t>(value) & kAll : 0;
 }
 
 /// A deceleration that GT_SetStopDec would accept; for any other value the old one is kept.
 double DecelerationFrom(double value, double old) {
-  return value >= gts::kAboveZero && value <= 32767 ? value : old;
+  return value >= kAboveZero && value <= 32767 ? value : old;
 }
 
 /// An input beyond the end of its word never triggers.
@@ -290,7 +290,7 @@ void ApplyEncoder(const CardConfig::Encoder& config, size_t index, MotionCore& c
 /// Closes the loop of each active controller that has an axis, an external encoder and a DAC.
 void ApplyControls(const CardConfig& config, MotionCore& core) {
   motion::MotionState& state = core.state();
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Control& from = config.controls[i];
     motion::Control& control = state.controls[i];
     control.active = from.active != 0;
@@ -299,7 +299,7 @@ void ApplyControls(const CardConfig& config, MotionCore& core) {
     control.error_limit = static_cast<int64_t>(std::clamp(from.error_limit, 1.0, 2147483648.0));
     control.closed = false;
   }
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Dac& from = config.dacs[i];
     motion::Dac& dac = state.dacs[i];
     dac.active = from.active != 0;
@@ -320,7 +320,7 @@ void ApplyControls(const CardConfig& config, MotionCore& core) {
 }
 
 void ApplySteps(const CardConfig& config, MotionCore& core) {
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Step& from = config.steps[i];
     motion::Step& step = core.state().steps[i];
     step.active = from.active != 0;
@@ -366,7 +366,7 @@ void ApplyDigital(const CardConfig& config, MotionCore& core) {
 }  // namespace
 
 CardConfig::CardConfig() {
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     const auto number = static_cast<double>(i + 1);
     const double bit = static_cast<double>(uint32_t{1} << i);
     axes[i].alarm_index = number;
@@ -385,7 +385,7 @@ CardConfig ParseCardConfig(std::string_view text) { return ConfigReader().Read(t
 
 void ApplyCardConfig(const CardConfig& config, MotionCore* core) {
   ApplyDigital(config, *core);
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     motion::Profile& profile = core->state().profiles[i];
     profile.active = config.profiles[i].active != 0;
     profile.smooth_stop = DecelerationFrom(config.profiles[i].smooth_stop, profile.smooth_stop);
@@ -393,9 +393,9 @@ void ApplyCardConfig(const CardConfig& config, MotionCore* core) {
     ApplyAxis(config.axes[i], i, *core);
   }
   ApplySteps(config, *core);
-  for (size_t i = 0; i < gts::kAxisMax; ++i) ApplyEncoder(config.encoders[i], i, *core);
+  for (size_t i = 0; i < kAxisMax; ++i) ApplyEncoder(config.encoders[i], i, *core);
   ApplyControls(config, *core);
   core->RestartDrives();
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

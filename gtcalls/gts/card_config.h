@@ -14,7 +14,7 @@
 #include "gtcalls/gts/limits.h"
 #include "motion/motion_core.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// GT_LoadConfig: longest file name.
 inline constexpr size_t kConfigPathMax = 125;
@@ -24,8 +24,8 @@ inline constexpr size_t kConfigPathMax = 125;
 struct CardConfig {
   struct Profile {
     double active = 1;
-    double smooth_stop = kGtsDefaults.smooth_stop;
-    double abrupt_stop = kGtsDefaults.abrupt_stop;
+    double smooth_stop = kDefaults.smooth_stop;
+    double abrupt_stop = kDefaults.abrupt_stop;
   };
   struct Axis {
     double active = 1;
@@ -71,15 +71,15 @@ struct CardConfig {
   struct Input {
     double active = 1;
     double reverse = 0;
-    double filter_ticks = kGtsDefaults.filter_ticks;
+    double filter_ticks = kDefaults.filter_ticks;
   };
 
-  std::array<Profile, gts::kAxisMax> profiles;
-  std::array<Axis, gts::kAxisMax> axes;
-  std::array<Control, gts::kAxisMax> controls;
-  std::array<Dac, gts::kAxisMax> dacs;
-  std::array<Step, gts::kAxisMax> steps;
-  std::array<Encoder, gts::kAxisMax> encoders;
+  std::array<Profile, kAxisMax> profiles;
+  std::array<Axis, kAxisMax> axes;
+  std::array<Control, kAxisMax> controls;
+  std::array<Dac, kAxisMax> dacs;
+  std::array<Step, kAxisMax> steps;
+  std::array<Encoder, kAxisMax> encoders;
   std::array<std::array<Output, motion::kIoWidthMax>, motion::kDoTypeCount> outputs;
   std::array<std::array<Input, motion::kIoWidthMax>, motion::kDiTypeCount> inputs;
 
@@ -96,4 +96,4 @@ CardConfig ParseCardConfig(std::string_view text);
 /// keep their positions.
 void ApplyCardConfig(const CardConfig& config, motion::MotionCore* core);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

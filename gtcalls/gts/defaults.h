@@ -5,12 +5,12 @@
 
 #include "motion/common/card_defaults.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// Stops: GTS manual 6. Filters: `filterTime` of the vendor's configuration files. Encoders: GTS
 /// manual table 4-4. Assumption: exceeding the following error limit switches the drive off and
 /// stops abruptly, which the manual does not say.
-inline constexpr motion::CardDefaults kGtsDefaults = {
+inline constexpr motion::CardDefaults kDefaults = {
     .smooth_stop = 1,
     .abrupt_stop = 1000,
     .filter_ticks = 3,
@@ -34,4 +34,4 @@ constexpr double TimeUnits(int64_t time_us) {
 /// GT_GetClockHighPrecision counts servo sub-steps of 125 us.
 inline constexpr int64_t kFineClockUs = 125;
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -71,7 +71,7 @@ constexpr size_t kCommandCount = 0
     ;
 
 constexpr bool HasFunction(std::string_view name, gts::words::Callers callers) {
-  return callers != gts::words::Callers::kLibrary && !IsUnsupported(name);
+  return callers != gts::words::Callers::kLibrary && !gts::IsUnsupported(name);
 }
 
 /// The functions of the commands; the index is the command's number - 1.
@@ -89,14 +89,14 @@ FamilyState NewState() { return GtsState(); }
 GtsState& StateIn(FamilyState& state) { return *std::get_if<GtsState>(&state); }
 
 Result<void> RestoreMemory(std::string_view text, std::string_view path, FamilyState& state) {
-  auto mram = ParseMram(text, path);
+  auto mram = gts::ParseMram(text, path);
   if (!mram.ok()) return mram.error();
   StateIn(state).mram = std::move(mram).value();
   return {};
 }
 
 void AfterTick(Card& card) {
-  WriteReachedValues(card);
+  gts::WriteReachedValues(card);
   card.state<GtsState>().mram.Advance(card.motion.now());
 }
 
@@ -113,8 +113,8 @@ const Family& GtsFamily() {
       .open_command = "GT_Open",
       .close_command = "GT_Close",
       .reset_commands = kResetCommands,
-      .why_unsupported = WhyUnsupported,
-      .motion_role = GtsMotionRole,
+      .why_unsupported = gts::WhyUnsupported,
+      .motion_role = gts::MotionRoleOf,
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetVel",
                   .clear_status = "GT_ClrSts",
@@ -130,10 +130,10 @@ const Family& GtsFamily() {
       .finish = nullptr,
       .card_types = kCardTypes,
       .default_card = kDefaultCard,
-      .defaults = kGtsDefaults,
+      .defaults = gts::kDefaults,
       .cost_us = CostUs,
-      .status_word = GtsStatusWord,
-      .mode_number = GtsModeNumber,
+      .status_word = gts::StatusWord,
+      .mode_number = gts::ModeNumber,
       .new_state = NewState,
       .reset = [](FamilyState& state) { StateIn(state).Reset(); },
       .forget_program = [](FamilyState& state) { StateIn(state).plc.UnbindAll(); },
@@ -147,10 +147,12 @@ const Family& GtsFamily() {
           },
       .writes_variables =
           [](const CardView& card) {
-            return !card.state<GtsState>().plc.blocks.empty() || WillWriteProgram(card.motion);
+            return !card.state<GtsState>().plc.blocks.empty() || gts::WillWriteProgram(card.motion);
           },
       .memory_text =
-          [](const FamilyState& state) { return FormatMram(std::get_if<GtsState>(&state)->mram); },
+          [](const FamilyState& state) {
+            return gts::FormatMram(std::get_if<GtsState>(&state)->mram);
+          },
       .restore_memory = RestoreMemory,
   };
   return kFamily;

@@ -14,16 +14,20 @@
 
 namespace oncard::gtcalls {
 
+namespace gts {
+
 /// Number of variables of GT_SetLongVar and GT_SetDoubleVar (assumption: 1024 each; the manuals
 /// give no number).
-inline constexpr int kUserVariableCount = gts::kUserVariableLast + 1;
+inline constexpr int kUserVariableCount = kUserVariableLast + 1;
+
+}  // namespace gts
 
 struct GtsState {
-  Mram mram;
-  std::array<int32_t, kUserVariableCount> long_vars{};
-  std::array<double, kUserVariableCount> double_vars{};
-  PlcBlocks plc;
-  std::array<LookAheadSetup, motion::kCrdCount> look_ahead;
+  gts::Mram mram;
+  std::array<int32_t, gts::kUserVariableCount> long_vars{};
+  std::array<double, gts::kUserVariableCount> double_vars{};
+  gts::PlcBlocks plc;
+  std::array<gts::LookAheadSetup, motion::kCrdCount> look_ahead;
 
   /// GT_Reset: clears everything except the ferroelectric memory itself, whose buffer is cleared.
   void Reset();

@@ -11,7 +11,7 @@
 
 #include "motion/paths/crd.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// LA_AXIS_NUM: the axes of the planner, and the profiles that can follow.
 inline constexpr size_t kLookAheadAxes = 8;
@@ -60,4 +60,4 @@ struct LookAheadSetup {
   }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 struct RoleRow {
@@ -21,9 +21,9 @@ constexpr RoleRow kRoleRows[] = {
 
 }  // namespace
 
-MotionRole GtsMotionRole(const Command& command) {
+MotionRole MotionRoleOf(const Command& command) {
   const auto* row = std::ranges::find(kRoleRows, command.name, &RoleRow::command);
   return row == std::end(kRoleRows) ? MotionRole::kNone : row->role;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

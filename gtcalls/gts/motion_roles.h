@@ -4,8 +4,8 @@
 
 #include "gtcalls/family.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
-MotionRole GtsMotionRole(const Command& command);
+MotionRole MotionRoleOf(const Command& command);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

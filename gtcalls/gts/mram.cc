@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 void Mram::Put(int address, int16_t value, std::vector<int16_t>* words) {
   if (words->empty()) words->resize(kMramWords);
@@ -32,4 +32,4 @@ void Mram::Reset() {
   busy_ = false;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

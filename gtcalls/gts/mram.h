@@ -10,7 +10,7 @@
 
 #include "motion/common/sizes.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 inline constexpr int kMramWords = 4096;
 /// Maximum number of words of one transfer between host and buffer.
@@ -58,4 +58,4 @@ class Mram {
   motion::Micros end_ = 0;
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -9,7 +9,7 @@
 #include "base/number.h"
 #include "base/trim.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr std::string_view kHead = "oncard-mram 1";
@@ -70,4 +70,4 @@ Result<Mram> ParseMram(std::string_view text, std::string_view path) {
   return mram;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

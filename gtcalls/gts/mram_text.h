@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "gtcalls/gts/mram.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The words that differ from 0, in the order of their addresses.
 std::string FormatMram(const Mram& mram);
@@ -17,4 +17,4 @@ std::string FormatMram(const Mram& mram);
 /// that is not as it must be; `path` is the file's name in the message.
 Result<Mram> ParseMram(std::string_view text, std::string_view path);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

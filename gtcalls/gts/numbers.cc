@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ArcPlane;
@@ -145,4 +145,4 @@ std::optional<FollowSegmentType> FollowSegmentTypeOf(int number) {
 
 std::optional<ArcPlane> ArcPlaneOf(int number) { return NameIn(kArcPlanes, number); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -17,7 +17,7 @@
 #include "motion/profiles/master.h"
 #include "motion/profiles/pt_mode.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// MC_MPG, the last input word, from 0; and MC_ENABLE and MC_GPO, the first and the last output
 /// word.
@@ -69,4 +69,4 @@ std::optional<motion::FollowSegmentType> FollowSegmentTypeOf(int number);
 /// The plane of TCrdData.circlePlat; empty for other numbers.
 std::optional<motion::ArcPlane> ArcPlaneOf(int number);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -6,7 +6,7 @@
 
 #include "motion/common/state_hash.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 static_assert(motion::kFieldsComplete<DiBlock> && motion::kFieldsComplete<DoBlock> &&
@@ -182,4 +182,4 @@ void PlcBlocks::Evaluate(vm::Machine& machine, motion::MotionCore& motion) {
   });
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

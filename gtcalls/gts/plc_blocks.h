@@ -22,7 +22,7 @@
 #include "motion/motion_core.h"
 #include "vm/machine.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// thread number of a block whose variables are globals.
 inline constexpr int kGlobalVariables = -1;
@@ -158,4 +158,4 @@ struct PlcBlocks {
   auto Fields() const { return std::tie(blocks, functions, functions_pending); }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

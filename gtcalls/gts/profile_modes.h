@@ -7,17 +7,17 @@
 
 #include "motion/profiles/modes.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The modes in the order of their numbers, which count from 0.
-inline constexpr std::array kGtsModes = {motion::ProfileMode::kTrap,   motion::ProfileMode::kJog,
-                                         motion::ProfileMode::kPt,     motion::ProfileMode::kGear,
-                                         motion::ProfileMode::kFollow, motion::ProfileMode::kCrd,
-                                         motion::ProfileMode::kPvt};
+inline constexpr std::array kModes = {motion::ProfileMode::kTrap,   motion::ProfileMode::kJog,
+                                      motion::ProfileMode::kPt,     motion::ProfileMode::kGear,
+                                      motion::ProfileMode::kFollow, motion::ProfileMode::kCrd,
+                                      motion::ProfileMode::kPvt};
 
 /// The number of one of them.
-constexpr int GtsModeNumber(motion::ProfileMode mode) {
-  return static_cast<int>(std::ranges::find(kGtsModes, mode) - kGtsModes.begin());
+constexpr int ModeNumber(motion::ProfileMode mode) {
+  return static_cast<int>(std::ranges::find(kModes, mode) - kModes.begin());
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 struct ReturnCodeRow {
@@ -41,4 +41,4 @@ std::optional<Message> ReturnCodePage(int code) {
   return page;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

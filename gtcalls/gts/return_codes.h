@@ -7,11 +7,11 @@
 
 #include "base/message.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The page of a return code, or of the error of a thread, in plain text: each of its meanings,
 /// with what to do. Empty for a number that has none. Sources: GTS manual table 3-1 and the pages
 /// of the commands, the manual of the look-ahead (003), docs/host-api.md.
 std::optional<Message> ReturnCodePage(int code);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

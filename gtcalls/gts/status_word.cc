@@ -1,6 +1,6 @@
 #include "gtcalls/gts/status_word.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 struct StatusBit {
@@ -16,7 +16,7 @@ constexpr StatusBit kBits[] = {
 
 }  // namespace
 
-uint32_t GtsStatusWord(const CardView& card, size_t axis) {
+uint32_t StatusWord(const CardView& card, size_t axis) {
   const uint32_t conditions = card.motion.Conditions(axis);
   uint32_t word = 0;
   for (const StatusBit& row : kBits) {
@@ -25,4 +25,4 @@ uint32_t GtsStatusWord(const CardView& card, size_t axis) {
   return word;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -8,9 +8,9 @@
 
 #include "gtcalls/card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The status word now; the axis counts from 0.
-uint32_t GtsStatusWord(const CardView& card, size_t axis);
+uint32_t StatusWord(const CardView& card, size_t axis);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

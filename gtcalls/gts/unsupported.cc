@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 enum Reason {
@@ -37,4 +37,4 @@ const Message* WhyUnsupported(const Command& command) {
   return row == std::end(kUnsupportedRows) ? nullptr : &reasons[row->reason];
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

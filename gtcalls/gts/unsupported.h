@@ -8,7 +8,7 @@
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// True for the commands of the table.
 constexpr bool IsUnsupported(std::string_view command) {
@@ -21,4 +21,4 @@ constexpr bool IsUnsupported(std::string_view command) {
 /// The reason, or NULL when the table has none for the command.
 const Message* WhyUnsupported(const Command& command);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

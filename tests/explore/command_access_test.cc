@@ -114,7 +114,7 @@ std::vector<Part> PartsOfCard() {
   }
   for (uint32_t i = 0; i < motion::kDoTypeCount; ++i) {
     parts.push_back(
-        {"outputs", Resource::kDigitalOutput, gtcalls::kOutputWordFirst + i,
+        {"outputs", Resource::kDigitalOutput, gtcalls::gts::kOutputWordFirst + i,
          [i](const CardState& s) { return HashOf(std::get<1>(s.motion.io.Fields())[i]); }});
   }
   parts.push_back({"analogue", Resource::kAnalog, Touched::kAll,

@@ -91,10 +91,10 @@ void FuzzRequirement(std::string_view bytes) {
 }
 
 void FuzzConfig(std::string_view bytes) {
-  const gtcalls::CardConfig config = gtcalls::ParseCardConfig(bytes);
+  const gtcalls::gts::CardConfig config = gtcalls::gts::ParseCardConfig(bytes);
   motion::MotionConfig motion_config;
   motion::MotionCore core(motion_config);
-  gtcalls::ApplyCardConfig(config, &core);
+  gtcalls::gts::ApplyCardConfig(config, &core);
   constexpr int kCycles = 20;
   for (int i = 0; i < kCycles; ++i) core.Tick();
 }

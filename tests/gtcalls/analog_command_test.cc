@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(DacCommand, OutputsAreSetAndReadForConsecutiveChannels) {
@@ -114,4 +114,4 @@ TEST(AdcCommand, TheFilterSlowsTheInput) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

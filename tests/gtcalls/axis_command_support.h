@@ -8,7 +8,7 @@
 #include "gtcalls/gts/defaults.h"
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 inline constexpr int kSmoothStop = 0x80;
 inline constexpr int kAbruptStop = 0x100;
@@ -56,7 +56,7 @@ class AxisCommandCard : public CommandTestCard {
   /// Sets a pin, counted from 0, and runs the cycles of its filter.
   void Drive(motion::DiType type, int bit, bool level) {
     motion.state().io.SetPin(type, bit, level);
-    Cycles(kGtsDefaults.filter_ticks);
+    Cycles(kDefaults.filter_ticks);
   }
 
   /// Expects that the call is refused with `code` and changes nothing.
@@ -67,4 +67,4 @@ class AxisCommandCard : public CommandTestCard {
   }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

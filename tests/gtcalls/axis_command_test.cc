@@ -4,7 +4,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::DiType;
@@ -448,4 +448,4 @@ TEST(VelocityFilterCommand, ExponentIsCheckedAtBothEnds) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -8,7 +8,7 @@
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/interface_form.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// Arrays that are shorter in the basic header, where a coordinate system has four axes.
@@ -49,4 +49,4 @@ TEST(BasicLayouts, HaveMembersOfOurStructuresInTheSameOrder) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/crd_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(Buffered, EveryCommandChecksItsRanges) {
@@ -109,4 +109,4 @@ TEST(Buffered, APulseOrALevelIsPutOutBetweenSegments) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

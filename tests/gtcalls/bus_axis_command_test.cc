@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/bus_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::WorldEventKind;
@@ -364,4 +364,4 @@ TEST(BusAxisCommands, AFollowingErrorStopsTheAxis) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

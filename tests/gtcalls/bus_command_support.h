@@ -9,7 +9,7 @@
 #include "tests/gtcalls/command_test_card.h"
 #include "tests/motion/bus/bus_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// A drive whose process data contain every object that a command uses.
 inline motion::bus::Slave CompleteDrive(int axis) {
@@ -59,4 +59,4 @@ class BusCommandCard : public CommandTestCard {
   double motor(size_t axis = 0) { return motion.state().plants[axis].position; }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/bus_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::WorldEventKind;
@@ -157,4 +157,4 @@ TEST(BusCommands, ReadAndWriteObjects) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

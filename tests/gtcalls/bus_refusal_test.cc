@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/bus_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::WorldEventKind;
@@ -170,4 +170,4 @@ TEST(BusRefusals, EveryServiceHasItsAbortCode) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

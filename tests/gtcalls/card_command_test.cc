@@ -12,7 +12,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using ::testing::StartsWith;
@@ -241,4 +241,4 @@ TEST(CardCommands, AProgramCallsTheSameFunction) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

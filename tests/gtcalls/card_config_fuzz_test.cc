@@ -10,7 +10,7 @@
 #include "gtcalls/gts/card_config.h"
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// The kinds of files that hosts use.
@@ -148,4 +148,4 @@ TEST(DamagedConfig, ARatioBelowOneIsNoRatio) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -8,7 +8,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::DiType;
@@ -306,4 +306,4 @@ TEST(LoadConfig, MovesNoMachineAndKeepsEncoders) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // The lines of a file in this folder that are not comments.
@@ -442,4 +442,4 @@ TEST(CatalogueTest, DeclaresParametersAsCDoes) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -16,7 +16,7 @@
 #include "motion/common/state_hash.h"
 #include "vm/image.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// One argument of a call: a number, the cells behind a pointer, or NULL.
 struct Argument {
@@ -180,4 +180,4 @@ inline vm::Object TestProgram() {
 
 inline void CommandTestCard::LoadTestProgram() { Load(TestProgram()); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

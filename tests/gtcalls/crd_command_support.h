@@ -6,7 +6,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 class CrdCommandCard : public AxisCommandCard {
  public:
@@ -49,4 +49,4 @@ class CrdCommandCard : public AxisCommandCard {
   }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(EncoderCommand, EncOffCountsPulsesAndEncOnTheEncoder) {
@@ -108,4 +108,4 @@ TEST(EncoderCommand, NumbersAreCheckedAtBothEnds) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

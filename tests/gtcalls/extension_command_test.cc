@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(ExtensionCommand, DigitalOutputsAreWrittenByWordAndByBit) {
@@ -90,4 +90,4 @@ TEST(ExtensionCommand, AMissingModuleIsRefusedAndReportedAsAFault) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

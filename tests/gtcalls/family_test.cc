@@ -8,7 +8,7 @@
 #include "gtcalls/card_type.h"
 #include "gtcalls/families.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using ::testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST(Family, FinishesEveryCommandOfTheCard) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

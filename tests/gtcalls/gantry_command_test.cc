@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using Cells = std::vector<double>;
@@ -117,4 +117,4 @@ TEST(GantryCommand, KeepsTheLargestSkew) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

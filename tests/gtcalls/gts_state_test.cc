@@ -7,7 +7,7 @@
 #include "gtcalls/gts/buffered_values.h"
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(GtsState, HashSeesEveryPart) {
@@ -79,4 +79,4 @@ TEST(BufferedValues, AreWrittenInTheCycleInWhichThePathReachesThem) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using Cells = std::vector<double>;
@@ -445,4 +445,4 @@ TEST(SimpleHome, IndexFollowsAtHalfTheVelocity) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(InputShapingCommand, ChecksItsParameters) {
@@ -97,4 +97,4 @@ TEST(InputShapingCommand, ZeroPosSetsBothPositionsInTheMiddleOfTheRest) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -12,7 +12,7 @@
 // Last, because its constants are macros.
 #include "gts.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // --- Constants ----------------------------------------------------------------------------------
@@ -143,4 +143,4 @@ TEST(InterfaceTest, TheCommandReferenceIsUpToDate) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

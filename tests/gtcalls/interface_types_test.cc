@@ -11,14 +11,14 @@
 // Last, because its constants are macros.
 #include "LookAheadEx.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // The table's structure for a type of gts.h; nullptr for any other type.
 template <typename T>
 constexpr const Structure* StructureOf() {
 #define STRUCTURE(name, ...) \
-  if (std::is_same_v<T, ::name>) return &gts::structures::name;
+  if (std::is_same_v<T, ::name>) return &structures::name;
 #include "gtcalls/gts/structures.def"
   return nullptr;
 }
@@ -116,16 +116,15 @@ constexpr bool MayBeLeftOut() {
 #define CHECK_kProgram(name)
 #define CHECK_kBoth(name) CHECK_kHost(name)
 #define CHECK_kLibrary(name) CHECK_kHost(name)
-#define CHECK_kHost(name)                                                                     \
-  static_assert(Prototype<decltype(::name)>::AgreesWith(gts::rows::name), #name);             \
-  constexpr auto name##Call = [](auto... arguments) -> decltype(::name(arguments...)) {       \
-    return ::name(arguments...);                                                              \
-  };                                                                                          \
-  static_assert(                                                                              \
-      MayBeLeftOut<decltype(::name), decltype(name##Call), RequiredCount(gts::rows::name)>(), \
-      #name);
+#define CHECK_kHost(name)                                                                          \
+  static_assert(Prototype<decltype(::name)>::AgreesWith(rows::name), #name);                       \
+  constexpr auto name##Call = [](auto... arguments) -> decltype(::name(arguments...)) {            \
+    return ::name(arguments...);                                                                   \
+  };                                                                                               \
+  static_assert(MayBeLeftOut<decltype(::name), decltype(name##Call), RequiredCount(rows::name)>(), \
+                #name);
 #define COMMAND(number, name, tier, callers, ...) CHECK_##callers(name)
 #include "gtcalls/gts/catalogue.def"
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -8,7 +8,7 @@
 #include "tests/gtcalls/command_test_card.h"
 #include "tests/motion/cycle_counter.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// What follows the first argument of a command.
@@ -87,4 +87,4 @@ TEST(LaneCommands, LeaveACardInItsLanes) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

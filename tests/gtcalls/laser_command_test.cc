@@ -4,7 +4,7 @@
 
 #include "tests/gtcalls/crd_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 class LaserCard : public CrdCommandCard {
@@ -139,4 +139,4 @@ TEST(Laser, ResetSwitchesEverythingOff) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

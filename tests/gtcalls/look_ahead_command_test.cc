@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -447,4 +447,4 @@ TEST(LookAheadInPulses, TheOldLookAheadReplacesThePlanner) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -7,7 +7,7 @@
 
 #include "tests/gtcalls/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr int kWindow = 200;
@@ -262,4 +262,4 @@ TEST(LookAheadWhileRunning, TheOtherCoordinateSystemAndBufferAreFree) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -10,7 +10,7 @@
 
 #include "tests/gtcalls/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -386,4 +386,4 @@ TEST(RandomLookAhead, StaysConsistent) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

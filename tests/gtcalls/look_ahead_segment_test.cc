@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // --- Lines --------------------------------------------------------------------------------------
@@ -515,4 +515,4 @@ TEST(LookAheadVirtual, FlushTakesOnlyNull) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -6,7 +6,7 @@
 
 #include "tests/gtcalls/crd_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 class LookAheadCard : public CrdCommandCard {
  public:
@@ -53,4 +53,4 @@ class LookAheadCard : public CrdCommandCard {
   double Position(size_t profile) { return motion.state().profiles[profile].now.position; }
 };
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,14 +5,14 @@
 
 #include "gtcalls/gts/catalogue.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // Those who read roles take the first parameter for a profile or a mask of profiles.
 TEST(MotionRoles, BelongToCommandsThatNameProfilesFirst) {
   int with_role = 0;
   for (const Command& command : GtsCatalogue().commands()) {
-    if (GtsMotionRole(command) == MotionRole::kNone) continue;
+    if (MotionRoleOf(command) == MotionRole::kNone) continue;
     ++with_role;
     ASSERT_FALSE(command.parameters.empty()) << command.name;
     const Parameter& first = command.parameters[0];
@@ -22,7 +22,7 @@ TEST(MotionRoles, BelongToCommandsThatNameProfilesFirst) {
 }
 
 TEST(MotionRoles, AreThoseOfTheManual) {
-  const auto role = [](std::string_view name) { return GtsMotionRole(*GtsCatalogue().Find(name)); };
+  const auto role = [](std::string_view name) { return MotionRoleOf(*GtsCatalogue().Find(name)); };
   EXPECT_EQ(role("GT_SetPos"), MotionRole::kTarget);
   EXPECT_EQ(role("GT_SetVel"), MotionRole::kVelocity);
   EXPECT_EQ(role("GT_Update"), MotionRole::kCommit);
@@ -32,4 +32,4 @@ TEST(MotionRoles, AreThoseOfTheManual) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

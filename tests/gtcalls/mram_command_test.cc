@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 bool Done(CommandTestCard& card) {
@@ -74,4 +74,4 @@ TEST(MramCommand, TheBufferIsRefusedDuringATransfer) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

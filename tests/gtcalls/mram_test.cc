@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(Mram, WordsArriveWhenTheTimeIsOver) {
@@ -59,4 +59,4 @@ TEST(Mram, ResetKeepsTheMemoryAndClearsTheBuffer) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "gtcalls/gts/family.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(MramText, HoldsTheWordsThatDifferFrom0) {
@@ -61,4 +61,4 @@ TEST(MramText, AFamilyPutsItBackIntoACardOrChangesNothing) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

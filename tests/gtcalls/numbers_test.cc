@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::CaptureSource;
@@ -123,4 +123,4 @@ TEST(Numbers, NameThePlanesOfArcs) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

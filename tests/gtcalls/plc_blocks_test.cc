@@ -8,7 +8,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // Ints among the globals of the test program: g, and ga[0..2].
@@ -250,4 +250,4 @@ TEST_F(PlcBlocksTest, HashSeesBlocksAndTheirState) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr double kIntType = 1;
@@ -183,4 +183,4 @@ TEST(UnbindVar, RemovesTheBlocksOfItsThread) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

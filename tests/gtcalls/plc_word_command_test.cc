@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// The records of the manual's example 10-1, as the vendor's compiler writes them: the sum of
@@ -223,4 +223,4 @@ TEST(ClearPlc, EmptiesTheProgramMemory) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// Axis 1, enabled, 10 ms after the start of a move at 1 pulse/ms^2 with a 1 ms cycle: 50 pulses,
@@ -175,4 +175,4 @@ TEST_F(Moving, NoneOfItsAxesIsZeroedWhileOneMoves) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

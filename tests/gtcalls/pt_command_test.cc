@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 double Read(CommandTestCard& card, const char* command, int profile = 1) {
@@ -189,4 +189,4 @@ TEST(PtStart, IsRefusedWhileAnAlarmIsLatched) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

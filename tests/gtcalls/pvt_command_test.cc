@@ -7,7 +7,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using Values = std::vector<double>;
@@ -268,4 +268,4 @@ TEST(PvtTable, ContinuousAndItsCalculation) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

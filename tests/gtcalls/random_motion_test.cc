@@ -9,7 +9,7 @@
 
 #include "tests/gtcalls/crd_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// The maximum velocity and acceleration in the commands below, pulse/ms and pulse/ms^2.
@@ -291,4 +291,4 @@ TEST(RandomMotion, NoProfileGoesFurtherThanItsVelocityAllows) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

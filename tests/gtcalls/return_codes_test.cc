@@ -10,7 +10,7 @@
 #include "base/files.h"
 #include "base/limits.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 // The numbers in the first column of the tables of a page, in the section with a title.
@@ -98,4 +98,4 @@ TEST(ReturnCodes, HaveEachMeaningInBothLanguages) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -8,7 +8,7 @@
 #include "gtcalls/gts/catalogue.h"
 #include "tests/gtcalls/crd_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// Valid arguments for every segment command: from (0, 0, 0) to (100, 100, 100).
@@ -149,4 +149,4 @@ TEST(CrdData, LinesAndArcs) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

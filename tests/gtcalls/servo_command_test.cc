@@ -4,7 +4,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using Cells = std::vector<double>;
@@ -143,4 +143,4 @@ TEST(EncResponseCheck, IsKeptSwitchedAndCheckedAtBothEnds) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

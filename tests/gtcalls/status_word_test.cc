@@ -6,7 +6,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(StatusWord, HasTheLatchedConditionsAtTheirPlaces) {
@@ -50,4 +50,4 @@ TEST(StatusWord, IsWhatGtGetStsGives) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// A thread brought into one of its states: thread 0, page 0.
@@ -246,4 +246,4 @@ TEST(GetThread, OfAnUnboundThreadSaysSo) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -6,7 +6,7 @@
 #include "gtcalls/gts/catalogue.h"
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using vm::DataType;
@@ -185,4 +185,4 @@ TEST(WaitForVarEq, DoesNotBlockWhenTheValueIsThere) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

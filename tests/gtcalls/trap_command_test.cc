@@ -5,7 +5,7 @@
 
 #include "tests/gtcalls/axis_command_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::DiType;
@@ -335,4 +335,4 @@ TEST(Update, ChangesAMoveOnTheFly) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

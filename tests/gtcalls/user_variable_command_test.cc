@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 TEST(UserVariable, HoldsWhatWasWrittenFromTheFirstToTheLast) {
@@ -40,4 +40,4 @@ TEST(UserVariable, LongAndDoubleAreSeparate) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 
 #include "tests/gtcalls/command_test_card.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 constexpr double kInt = 1;
@@ -143,4 +143,4 @@ TEST(VarValue, WithoutAProgramThereAreNoVariables) {
 }
 
 }  // namespace
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -113,7 +113,7 @@ TEST(ControllerTest, ARefusedObjectLeavesTheOldProgramRunning) {
 TEST(ControllerTest, ALoadRemovesTheBlocksBoundToTheOldVariables) {
   LoadedCard card(kEndlessProgram);
   ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
-      {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}}));
+      {gtcalls::gts::kGlobalVariables, 0, gtcalls::gts::DiBlock{}}));
   ASSERT_TRUE(card.controller.Load(CompileProgram(kSumProgram)).ok());
   EXPECT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.blocks.empty());
 }
@@ -267,8 +267,8 @@ loop:
   io.SetFilterTicks(motion::DiType::kGpi, 0, 1);
   io.SetPin(motion::DiType::kGpi, 0, false);
   ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
-      {gtcalls::kGlobalVariables, card.Global("in").id,
-       gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
+      {gtcalls::gts::kGlobalVariables, card.Global("in").id,
+       gtcalls::gts::DiBlock{motion::DiType::kGpi, 0, false}}));
   card.Run(0, 0);
   card.controller.RunCycle();
   const double before = card.Read("out");
@@ -368,9 +368,9 @@ TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
   motion::PathSlot delay;
   delay.command = {.kind = motion::BufferedKind::kDelay, .values = {5}};
   motion::PathSlot write;
-  write.command = gtcalls::EncodeValue(
-      {.target = gtcalls::ValueTarget::kProgram, .value = 1, .slot = card.Global("go")});
-  gtcalls::ReserveValues(motion);
+  write.command = gtcalls::gts::EncodeValue(
+      {.target = gtcalls::gts::ValueTarget::kProgram, .value = 1, .slot = card.Global("go")});
+  gtcalls::gts::ReserveValues(motion);
   ASSERT_TRUE(motion.AppendToCrd(0, 0, delay));
   ASSERT_TRUE(motion.AppendToCrd(0, 0, write));
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock) << "before it is started";
@@ -405,8 +405,8 @@ TEST(RunUntilQuietTest, APlcBlockCanStillHelp) {
   LoadedCard card(kWaitingProgram);
   card.Run(0, 0);
   ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
-      {gtcalls::kGlobalVariables, card.Global("go").id,
-       gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
+      {gtcalls::gts::kGlobalVariables, card.Global("go").id,
+       gtcalls::gts::DiBlock{motion::DiType::kGpi, 0, false}}));
   EXPECT_EQ(card.controller.RunUntilQuiet(100), RunEnd::kTimeLimit);
   card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 0, true);
   const RunEnd high = card.controller.RunUntilQuiet(100);
@@ -486,7 +486,7 @@ TEST(ControllerStateTest, TheHashCoversEveryPart) {
       "pin", [&] { card.controller.motion().state().io.SetPin(motion::DiType::kMpg, 0, true); });
   changes_the_hash("block", [&] {
     card.controller.card().state<gtcalls::GtsState>().plc.Bind(
-        {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
+        {gtcalls::gts::kGlobalVariables, 0, gtcalls::gts::DiBlock{}});
   });
   changes_the_hash("part of a cycle", [&] { card.controller.AdvanceUs(50); });
   changes_the_hash("cycle", [&] { card.controller.RunCycle(); });
@@ -509,7 +509,7 @@ TEST(ControllerStateTest, ResetIsAPowerOnThatKeepsTheWorld) {
   card.SetLocal(0, 1, 100);
   card.Run(0, 0);
   card.controller.card().state<gtcalls::GtsState>().plc.Bind(
-      {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
+      {gtcalls::gts::kGlobalVariables, 0, gtcalls::gts::DiBlock{}});
   card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 3, true);
   const uint32_t pins = card.controller.motion().state().io.Pins(motion::DiType::kGpi);
   card.controller.AdvanceUs(10'000);

@@ -3,7 +3,7 @@
 // Tested by tests/gtcalls/analog_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Adc;
@@ -26,7 +26,7 @@ int16_t CheckDac(Call& call, int offset) {
 
 }  // namespace
 
-int16_t gts::GT_SetDac(Call& call) {
+int16_t GT_SetDac(Call& call) {
   for (int i = 0; i < call.integer(2); ++i) {
     const int16_t code = CheckDac(call, i);
     if (code != vm::kOk) return code;
@@ -37,26 +37,26 @@ int16_t gts::GT_SetDac(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetDac(Call& call) {
+int16_t GT_GetDac(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.state().dacs[i].Output(); });
 }
 
-int16_t gts::GT_SetMtrBias(Call& call) {
+int16_t GT_SetMtrBias(Call& call) {
   DacOf(call).bias = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetMtrBias(Call& call) {
+int16_t GT_GetMtrBias(Call& call) {
   call.Set(1, DacOf(call).bias);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetMtrLmt(Call& call) {
+int16_t GT_SetMtrLmt(Call& call) {
   DacOf(call).limit = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetMtrLmt(Call& call) {
+int16_t GT_GetMtrLmt(Call& call) {
   call.Set(1, DacOf(call).limit);
   return vm::kOk;
 }
@@ -66,33 +66,33 @@ namespace {
 /// The inputs from `adc` on must exist.
 int16_t CheckLastAdc(Call& call) {
   const int last = call.integer(0) + call.integer(2) - 1;
-  if (last <= gts::kAdcMax) return vm::kOk;
+  if (last <= kAdcMax) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("{0} inputs starting at {1} extend to {2}; this card has 1 to {3}",
                                  "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编号为 1 到 {3}",
-                                 call.integer(2), call.integer(0), last, gts::kAdcMax));
+                                 call.integer(2), call.integer(0), last, kAdcMax));
 }
 
 }  // namespace
 
-int16_t gts::GT_GetAdc(Call& call) {
+int16_t GT_GetAdc(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
   return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Volts(); });
 }
 
-int16_t gts::GT_GetAdcValue(Call& call) {
+int16_t GT_GetAdcValue(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
   return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Value(); });
 }
 
-int16_t gts::GT_SetAdcFilter(Call& call) {
+int16_t GT_SetAdcFilter(Call& call) {
   AdcOf(call, NumberOf(call)).filter = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
 /// Assumption: an older name for the same command.
-int16_t gts::GT_GetDacValue(Call& call) { return gts::GT_GetDac(call); }
+int16_t GT_GetDacValue(Call& call) { return GT_GetDac(call); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

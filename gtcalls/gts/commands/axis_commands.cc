@@ -8,7 +8,7 @@
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Axis;
@@ -18,7 +18,7 @@ using motion::InputChoice;
 
 // --- Drive -----------------------------------------------------------------------------------
 
-int16_t gts::GT_AxisOn(Call& call) {
+int16_t GT_AxisOn(Call& call) {
   const Axis& axis = AxisOf(call);
   if (!axis.active) {
     return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not active in the configuration",
@@ -38,18 +38,18 @@ int16_t gts::GT_AxisOn(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_AxisOff(Call& call) {
+int16_t GT_AxisOff(Call& call) {
   call.card.motion.ServoOff(NumberOf(call));
   return vm::kOk;
 }
 
 // --- Status ----------------------------------------------------------------------------------
 
-int16_t gts::GT_GetSts(Call& call) {
+int16_t GT_GetSts(Call& call) {
   return ReadEach(call, [&](size_t axis) { return call.card.view().StatusWord(axis); });
 }
 
-int16_t gts::GT_ClrSts(Call& call) {
+int16_t GT_ClrSts(Call& call) {
   for (int i = 0; i < call.integer(1); ++i) {
     call.card.motion.ClearStatus(NumberOf(call) + static_cast<size_t>(i));
   }
@@ -77,8 +77,8 @@ int16_t SwitchAlarm(Call& call, bool on) {
 
 }  // namespace
 
-int16_t gts::GT_AlarmOn(Call& call) { return SwitchAlarm(call, true); }
-int16_t gts::GT_AlarmOff(Call& call) { return SwitchAlarm(call, false); }
+int16_t GT_AlarmOn(Call& call) { return SwitchAlarm(call, true); }
+int16_t GT_AlarmOff(Call& call) { return SwitchAlarm(call, false); }
 
 namespace {
 
@@ -100,10 +100,10 @@ int16_t SwitchLimits(Call& call, bool on) {
 
 }  // namespace
 
-int16_t gts::GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
-int16_t gts::GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
+int16_t GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
+int16_t GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
 
-int16_t gts::GT_SetSoftLimit(Call& call) {
+int16_t GT_SetSoftLimit(Call& call) {
   if (call.integer(1) <= call.integer(2)) {
     return call.Refuse(
         vm::kBadParameter,
@@ -116,13 +116,13 @@ int16_t gts::GT_SetSoftLimit(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetSoftLimit(Call& call) {
+int16_t GT_GetSoftLimit(Call& call) {
   call.Set(1, AxisOf(call).soft_positive);
   call.Set(2, AxisOf(call).soft_negative);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetStopIo(Call& call) {
+int16_t GT_SetStopIo(Call& call) {
   const auto type = *DiTypeOf(call.integer(2));
   const int index = call.integer(3);
   if (index != kNoInput && (index < 1 || index > DiWidth(type))) {
@@ -141,13 +141,13 @@ int16_t gts::GT_SetStopIo(Call& call) {
 
 // --- Stops -----------------------------------------------------------------------------------
 
-int16_t gts::GT_SetStopDec(Call& call) {
+int16_t GT_SetStopDec(Call& call) {
   ChangeProfile(call).smooth_stop = call.value(1);
   ChangeProfile(call).abrupt_stop = call.value(2);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetStopDec(Call& call) {
+int16_t GT_GetStopDec(Call& call) {
   call.Set(1, ProfileOf(call).smooth_stop);
   call.Set(2, ProfileOf(call).abrupt_stop);
   return vm::kOk;
@@ -155,7 +155,7 @@ int16_t gts::GT_GetStopDec(Call& call) {
 
 /// Bit n-1 of the mask: profile n; CrdBitsOf names those of coordinate systems. If the same bit of
 /// the option is 0 the stop is smooth, if it is 1 abrupt.
-int16_t gts::GT_Stop(Call& call) {
+int16_t GT_Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   const uint32_t mask = BitWord(call.value(0));
   const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, mask));
@@ -170,7 +170,7 @@ int16_t gts::GT_Stop(Call& call) {
 
 // --- In position -----------------------------------------------------------------------------
 
-int16_t gts::GT_SetAxisBand(Call& call) {
+int16_t GT_SetAxisBand(Call& call) {
   Axis& axis = ChangeAxis(call);
   axis.band = call.integer(1);
   axis.band_time = call.integer(2) * kTimeUnitUs;
@@ -178,7 +178,7 @@ int16_t gts::GT_SetAxisBand(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetAxisBand(Call& call) {
+int16_t GT_GetAxisBand(Call& call) {
   call.Set(1, AxisOf(call).band);
   call.Set(2, TimeUnits(AxisOf(call).band_time));
   return vm::kOk;
@@ -209,14 +209,14 @@ motion::Scale ScaleOf(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_ProfileScale(Call& call) {
+int16_t GT_ProfileScale(Call& call) {
   int16_t code = CheckScale(call);
   if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetProfileScale(NumberOf(call), ScaleOf(call));
   return code;
 }
 
-int16_t gts::GT_EncScale(Call& call) {
+int16_t GT_EncScale(Call& call) {
   const int16_t code = CheckScale(call);
   if (code == vm::kOk) call.card.motion.SetEncoderScale(NumberOf(call), ScaleOf(call));
   return code;
@@ -231,21 +231,17 @@ int16_t SetFilter(const Call& call, motion::AxisValue& value) {
 
 }  // namespace
 
-int16_t gts::GT_SetAxisPrfVelFilter(Call& call) {
-  return SetFilter(call, ChangeAxis(call).profile);
-}
-int16_t gts::GT_SetAxisEncVelFilter(Call& call) {
-  return SetFilter(call, ChangeAxis(call).encoder);
-}
+int16_t GT_SetAxisPrfVelFilter(Call& call) { return SetFilter(call, ChangeAxis(call).profile); }
+int16_t GT_SetAxisEncVelFilter(Call& call) { return SetFilter(call, ChangeAxis(call).encoder); }
 
-int16_t gts::GT_GetAxisPrfVelFilter(Call& call) {
+int16_t GT_GetAxisPrfVelFilter(Call& call) {
   call.Set(1, AxisOf(call).profile.filter.exponent);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetAxisEncVelFilter(Call& call) {
+int16_t GT_GetAxisEncVelFilter(Call& call) {
   call.Set(1, AxisOf(call).encoder.filter.exponent);
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

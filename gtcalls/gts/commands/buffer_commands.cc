@@ -7,7 +7,7 @@
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::BufferedKind;
@@ -60,12 +60,12 @@ int16_t CheckOutside(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_BufIO(Call& call) {
+int16_t GT_BufIO(Call& call) {
   return Append(call, BufferedKind::kOutputs, ItemOf(OutputWord(call)), 0,
                 {call.value(2), call.value(3)});
 }
 
-int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
+int16_t GT_BufEnableDoBitPulse(Call& call) {
   const int16_t code = CheckOutputBit(call);
   if (code != vm::kOk) return code;
   if (call.integer(3) < 1) return RefuseRange(call, "highLevelTime", call.value(3), "[1, 65535]");
@@ -76,32 +76,32 @@ int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
                  call.value(5), call.value(6)});
 }
 
-int16_t gts::GT_BufDisableDoBitPulse(Call& call) {
+int16_t GT_BufDisableDoBitPulse(Call& call) {
   const int16_t code = CheckOutputBit(call);
   if (code != vm::kOk) return code;
   return Append(call, BufferedKind::kStopPulses, ItemOf(OutputWord(call)), call.integer(2) - 1);
 }
 
-int16_t gts::GT_BufDelay(Call& call) {
+int16_t GT_BufDelay(Call& call) {
   return Append(call, BufferedKind::kDelay, 0, 0, {call.value(1)});
 }
 
-int16_t gts::GT_BufDA(Call& call) {
+int16_t GT_BufDA(Call& call) {
   if (call.value(2) < -motion::kDacFull) {
     return RefuseRange(call, "daValue", call.value(2), "[-32767, 32767]");
   }
   return Append(call, BufferedKind::kAnalogOutput, call.integer(1) - 1, 0, {call.value(2)});
 }
 
-int16_t gts::GT_BufLmtsOn(Call& call) {
+int16_t GT_BufLmtsOn(Call& call) {
   return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {1});
 }
 
-int16_t gts::GT_BufLmtsOff(Call& call) {
+int16_t GT_BufLmtsOff(Call& call) {
   return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {0});
 }
 
-int16_t gts::GT_BufSetStopIo(Call& call) {
+int16_t GT_BufSetStopIo(Call& call) {
   const int index = call.integer(4);
   const motion::DiType type = *DiTypeOf(call.integer(3));
   const int width = DiWidth(type);
@@ -114,11 +114,11 @@ int16_t gts::GT_BufSetStopIo(Call& call) {
                 {static_cast<double>(type), static_cast<double>(bit)});
 }
 
-int16_t gts::GT_BufMove(Call& call) {
-  if (!(call.value(3) >= gts::kAboveZero && call.value(3) < gts::kRateBound)) {
+int16_t GT_BufMove(Call& call) {
+  if (!(call.value(3) >= kAboveZero && call.value(3) < kRateBound)) {
     return RefuseRange(call, "vel", call.value(3), "[1e-09, 32767)");
   }
-  if (!(call.value(4) >= gts::kAboveZero && call.value(4) < gts::kRateBound)) {
+  if (!(call.value(4) >= kAboveZero && call.value(4) < kRateBound)) {
     return RefuseRange(call, "acc", call.value(4), "[1e-09, 32767)");
   }
   int16_t code = CheckOutside(call);
@@ -128,13 +128,13 @@ int16_t gts::GT_BufMove(Call& call) {
                 {call.value(2), call.value(3), call.value(4)});
 }
 
-int16_t gts::GT_BufGear(Call& call) {
+int16_t GT_BufGear(Call& call) {
   const int16_t code = CheckOutside(call);
   if (code != vm::kOk) return code;
   return Append(call, BufferedKind::kGear, call.integer(1) - 1, 0, {call.value(2)});
 }
 
-int16_t gts::GT_BufGearPercent(Call& call) {
+int16_t GT_BufGearPercent(Call& call) {
   if (call.integer(3) + call.integer(4) > 100) {
     return RefuseRange(call, "accPercent + decPercent", call.value(3) + call.value(4), "[0, 100]");
   }
@@ -144,26 +144,26 @@ int16_t gts::GT_BufGearPercent(Call& call) {
                 {call.value(2), call.value(3) / 100, call.value(4) / 100});
 }
 
-int16_t gts::GT_BufStopMotion(Call& call) { return Append(call, BufferedKind::kHold, 0, 0); }
+int16_t GT_BufStopMotion(Call& call) { return Append(call, BufferedKind::kHold, 0, 0); }
 
-int16_t gts::GT_BufSynchPrfPos(Call& call) {
+int16_t GT_BufSynchPrfPos(Call& call) {
   return Append(call, BufferedKind::kSynchronise, call.integer(2) - 1, call.integer(1) - 1);
 }
 
-int16_t gts::GT_BufSetLongVar(Call& call) {
+int16_t GT_BufSetLongVar(Call& call) {
   return AppendValue(call, {ValueTarget::kLong, call.integer(1), call.value(2)});
 }
 
-int16_t gts::GT_BufSetDoubleVar(Call& call) {
+int16_t GT_BufSetDoubleVar(Call& call) {
   return AppendValue(call, {ValueTarget::kDouble, call.integer(1), call.value(2)});
 }
 
 /// The name is resolved when the command is appended.
-int16_t gts::GT_BufSetVarValue(Call& call) {
+int16_t GT_BufSetVarValue(Call& call) {
   const std::optional<vm::SlotAddress> slot =
       FindVariable(call, call.integer(1), call.cells(2), call.value(3));
   if (!slot) return vm::kBadParameter;
   return AppendValue(call, {ValueTarget::kProgram, 0, call.value(3), *slot});
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

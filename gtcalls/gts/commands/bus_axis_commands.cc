@@ -2,7 +2,7 @@
 // Source: GTS manual S2, chapters 5 and 13. Tested by tests/gtcalls/bus_axis_command_test.cc.
 #include "gtcalls/gts/commands/bus_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::BusAxis;
@@ -33,7 +33,7 @@ int16_t ChangeMode(Call& call) {
 
 // --- Modes ---------------------------------------------------------------------------------------
 
-int16_t gts::GT_SetEcatAxisMode(Call& call) {
+int16_t GT_SetEcatAxisMode(Call& call) {
   int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
   if (!call.card.motion.state().bus->line.HasOutput(BusSlaveOf(call), ObjectId::kMode)) {
@@ -43,23 +43,23 @@ int16_t gts::GT_SetEcatAxisMode(Call& call) {
   return ChangeMode(call);
 }
 
-int16_t gts::GT_GetEcatAxisMode(Call& call) { return ReadInput(call, ObjectId::kModeDisplay, 1); }
+int16_t GT_GetEcatAxisMode(Call& call) { return ReadInput(call, ObjectId::kModeDisplay, 1); }
 
 /// By process data or, if they do not contain 6060h, by the mailbox.
-int16_t gts::GT_SetHomingMode(Call& call) {
+int16_t GT_SetHomingMode(Call& call) {
   const int16_t code = CheckBusAxis(call);
   return code != vm::kOk ? code : ChangeMode(call);
 }
 
-int16_t gts::GT_SetEcatAxisPT(Call& call) {
+int16_t GT_SetEcatAxisPT(Call& call) {
   return WriteOutput(call, ObjectId::kTargetTorque, call.integer(1));
 }
 
-int16_t gts::GT_SetEcatAxisPV(Call& call) {
+int16_t GT_SetEcatAxisPV(Call& call) {
   return WriteOutput(call, ObjectId::kTargetVelocity, call.integer(1));
 }
 
-int16_t gts::GT_SetPosScale(Call& call) {
+int16_t GT_SetPosScale(Call& call) {
   int16_t code = CheckBusAxis(call);
   if (code == vm::kOk) code = CheckAxisAtRest(call, NumberOf(call));
   if (code != vm::kOk) return code;
@@ -67,7 +67,7 @@ int16_t gts::GT_SetPosScale(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetPosScale(Call& call) {
+int16_t GT_GetPosScale(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code == vm::kOk) call.Set(1, LinkOf(call).scale);
   return code;
@@ -75,7 +75,7 @@ int16_t gts::GT_GetPosScale(Call& call) {
 
 // --- Homing by the drive -------------------------------------------------------------------------
 
-int16_t gts::GT_SetEcatHomingPrm(Call& call) {
+int16_t GT_SetEcatHomingPrm(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
   if (!motion::bus::FindHomingMethod(call.integer(1))) {
@@ -96,7 +96,7 @@ int16_t gts::GT_SetEcatHomingPrm(Call& call) {
                   "轴 {0} 的驱动器拒绝参数：正在回零，请调用 GT_StopEcatHoming", call.integer(0)));
 }
 
-int16_t gts::GT_StartEcatHoming(Call& call) {
+int16_t GT_StartEcatHoming(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
   const auto refuse = [&](std::string_view en, std::string_view zh) {
@@ -120,13 +120,13 @@ int16_t gts::GT_StartEcatHoming(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_StopEcatHoming(Call& call) {
+int16_t GT_StopEcatHoming(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code == vm::kOk) call.card.motion.bus_axes().StopHoming(NumberOf(call));
   return code;
 }
 
-int16_t gts::GT_GetEcatHomingStatus(Call& call) {
+int16_t GT_GetEcatHomingStatus(Call& call) {
   int16_t code = CheckBusAxis(call);
   if (code == vm::kOk) code = CheckInput(call, ObjectId::kStatusWord);
   if (code == vm::kOk) call.Set(1, LinkOf(call).homing_status);
@@ -135,7 +135,7 @@ int16_t gts::GT_GetEcatHomingStatus(Call& call) {
 
 // --- Touch probes --------------------------------------------------------------------------------
 
-int16_t gts::GT_SetTouchProbeFunction(Call& call) {
+int16_t GT_SetTouchProbeFunction(Call& call) {
   return WriteOutput(call, ObjectId::kProbeFunction, static_cast<uint16_t>(call.integer(1)));
 }
 
@@ -156,11 +156,11 @@ int ProbeByte(const Call& call, size_t first) {
 
 }  // namespace
 
-int16_t gts::GT_SetTouchProbeFunctionEx(Call& call) {
+int16_t GT_SetTouchProbeFunctionEx(Call& call) {
   return WriteOutput(call, ObjectId::kProbeFunction, ProbeByte(call, 1) | ProbeByte(call, 4) << 8);
 }
 
-int16_t gts::GT_GetTouchProbeStatus(Call& call) {
+int16_t GT_GetTouchProbeStatus(Call& call) {
   int16_t code = CheckBusAxis(call);
   for (const ObjectId id :
        {ObjectId::kProbeStatus, ObjectId::kProbe1Rising, ObjectId::kProbe1Falling}) {
@@ -181,31 +181,29 @@ int16_t gts::GT_GetTouchProbeStatus(Call& call) {
 
 // --- Readings ------------------------------------------------------------------------------------
 
-int16_t gts::GT_GetEcatEncPos(Call& call) { return ReadInput(call, ObjectId::kPositionActual, 1); }
-int16_t gts::GT_GetEcatEncVel(Call& call) { return ReadInput(call, ObjectId::kVelocityActual, 1); }
-int16_t gts::GT_GetEcatAxisPE(Call& call) { return ReadInput(call, ObjectId::kFollowingError, 1); }
+int16_t GT_GetEcatEncPos(Call& call) { return ReadInput(call, ObjectId::kPositionActual, 1); }
+int16_t GT_GetEcatEncVel(Call& call) { return ReadInput(call, ObjectId::kVelocityActual, 1); }
+int16_t GT_GetEcatAxisPE(Call& call) { return ReadInput(call, ObjectId::kFollowingError, 1); }
 
-int16_t gts::GT_GetEcatAxisAtlTorque(Call& call) {
-  return ReadInput(call, ObjectId::kTorqueActual, 1);
-}
+int16_t GT_GetEcatAxisAtlTorque(Call& call) { return ReadInput(call, ObjectId::kTorqueActual, 1); }
 
-int16_t gts::GT_GetEcatAxisAtlCurrent(Call& call) {
+int16_t GT_GetEcatAxisAtlCurrent(Call& call) {
   return ReadInput(call, ObjectId::kCurrentActual, 1);
 }
 
-int16_t gts::GT_GetEcatAxisAI(Call& call) {
+int16_t GT_GetEcatAxisAI(Call& call) {
   const bool first = call.integer(1) == 1;
   return ReadInput(call, first ? ObjectId::kAnalogInput1 : ObjectId::kAnalogInput2, 2);
 }
 
-int16_t gts::GT_GetEcatAxisDI(Call& call) { return ReadInput(call, ObjectId::kDigitalInputs, 1); }
+int16_t GT_GetEcatAxisDI(Call& call) { return ReadInput(call, ObjectId::kDigitalInputs, 1); }
 
-int16_t gts::GT_SetEcatAxisDO(Call& call) {
+int16_t GT_SetEcatAxisDO(Call& call) {
   return WriteOutput(call, ObjectId::kDigitalOutputs, BitWord(call.value(1)));
 }
 
 /// What the controller commands; the process data contain it as an output.
-int16_t gts::GT_GetEcatAxisDO(Call& call) {
+int16_t GT_GetEcatAxisDO(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
   const motion::bus::Bus& line = call.card.motion.state().bus->line;
@@ -215,4 +213,4 @@ int16_t gts::GT_GetEcatAxisDO(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

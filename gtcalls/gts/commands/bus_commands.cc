@@ -6,7 +6,7 @@
 
 #include "gtcalls/gts/commands/bus_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::bus::Bus;
@@ -53,7 +53,7 @@ Message DescribeDifference(const Bus& line) {
 
 // --- Communication -------------------------------------------------------------------------------
 
-int16_t gts::GT_InitEcatComm(Call& call) {
+int16_t GT_InitEcatComm(Call& call) {
   if (!call.card.bus_error.en.empty()) return call.Refuse(kSlavesDiffer, call.card.bus_error);
   Bus* line = LineOf(call);
   switch (line == nullptr ? InitOutcome::kNoConfiguration : line->CheckInit()) {
@@ -74,7 +74,7 @@ int16_t gts::GT_InitEcatComm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_StartEcatComm(Call& call) {
+int16_t GT_StartEcatComm(Call& call) {
   const int16_t code = CheckBus(call);
   if (code != vm::kOk) return code;
   if (!LineOf(call)->ready()) {
@@ -84,12 +84,12 @@ int16_t gts::GT_StartEcatComm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_TerminateEcatComm(Call& call) {
+int16_t GT_TerminateEcatComm(Call& call) {
   if (LineOf(call) != nullptr) call.card.motion.TerminateBus();
   return vm::kOk;
 }
 
-int16_t gts::GT_IsEcatReady(Call& call) {
+int16_t GT_IsEcatReady(Call& call) {
   const Bus* line = LineOf(call);
   call.Set(0, line != nullptr && line->ready() ? 1 : 0);
   return vm::kOk;
@@ -110,12 +110,12 @@ int CountOnline(const Call& call, bool drives_only) {
 
 }  // namespace
 
-int16_t gts::GT_GetEcatSlaves(Call& call) {
+int16_t GT_GetEcatSlaves(Call& call) {
   call.Set(0, CountOnline(call, false));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetMcEcatAxisNum(Call& call) {
+int16_t GT_GetMcEcatAxisNum(Call& call) {
   call.Set(0, CountOnline(call, true));
   return vm::kOk;
 }
@@ -167,7 +167,7 @@ const SlavePlace& PlaceOf(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_GetEcatRawData(Call& call) {
+int16_t GT_GetEcatRawData(Call& call) {
   int16_t code = CheckBus(call);
   if (code != vm::kOk) return code;
   code = CheckBytes(call, call.integer(0), call.integer(1), LineOf(call)->image().size());
@@ -177,7 +177,7 @@ int16_t gts::GT_GetEcatRawData(Call& call) {
   return code;
 }
 
-int16_t gts::GT_SetEcatRawData(Call& call) {
+int16_t GT_SetEcatRawData(Call& call) {
   int16_t code = CheckBus(call);
   if (code != vm::kOk) return code;
   code = CheckBytes(call, call.integer(0), call.integer(1), LineOf(call)->image().size());
@@ -187,7 +187,7 @@ int16_t gts::GT_SetEcatRawData(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_EcatIOReadInput(Call& call) {
+int16_t GT_EcatIOReadInput(Call& call) {
   int16_t code = CheckSlave(call);
   if (code != vm::kOk) return code;
   const SlavePlace& place = PlaceOf(call);
@@ -198,7 +198,7 @@ int16_t gts::GT_EcatIOReadInput(Call& call) {
   return code;
 }
 
-int16_t gts::GT_EcatIOWriteOutput(Call& call) {
+int16_t GT_EcatIOWriteOutput(Call& call) {
   int16_t code = CheckSlave(call);
   if (code != vm::kOk) return code;
   const SlavePlace& place = PlaceOf(call);
@@ -248,7 +248,7 @@ int16_t EndService(Call& call, SdoAbort abort, size_t output) {
 
 }  // namespace
 
-int16_t gts::GT_EcatSDODownload(Call& call) {
+int16_t GT_EcatSDODownload(Call& call) {
   Bus* line = LineOf(call);
   if (line == nullptr) return EndService(call, SdoAbort::kTimeout, 5);
   const SdoAbort abort =
@@ -257,7 +257,7 @@ int16_t gts::GT_EcatSDODownload(Call& call) {
   return EndService(call, abort, 5);
 }
 
-int16_t gts::GT_EcatSDOUpload(Call& call) {
+int16_t GT_EcatSDOUpload(Call& call) {
   call.Set(5, 0);
   const Bus* line = LineOf(call);
   std::vector<uint8_t> data;
@@ -275,4 +275,4 @@ int16_t gts::GT_EcatSDOUpload(Call& call) {
   return EndService(call, abort, 6);
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::bus::Bus;
@@ -101,4 +101,4 @@ int16_t WriteOutput(Call& call, ObjectId id, int64_t value) {
   return LineOf(call)->SetOutput(BusSlaveOf(call), id, value) ? vm::kOk : RefuseObject(call, id);
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

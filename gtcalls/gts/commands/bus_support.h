@@ -9,7 +9,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "motion/bus/bus.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The bus of the card; nullptr for a card without one.
 motion::bus::Bus* LineOf(const Call& call);
@@ -32,4 +32,4 @@ int16_t ReadInput(Call& call, motion::bus::ObjectId id, size_t output);
 /// Writes an output that a host commands. 0, or 1 with the reason.
 int16_t WriteOutput(Call& call, motion::bus::ObjectId id, int64_t value);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

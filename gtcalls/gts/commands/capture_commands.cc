@@ -5,7 +5,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Capture;
@@ -54,18 +54,18 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
 
 }  // namespace
 
-int16_t gts::GT_SetCaptureMode(Call& call) {
+int16_t GT_SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
   UnitOf(call).Arm(NumberOf(call), CaptureSourceOf(call.integer(1)));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCaptureMode(Call& call) {
+int16_t GT_GetCaptureMode(Call& call) {
   return ReadEach(call, [&](size_t i) { return CaptureNumber(UnitOf(call).capture(i).source); });
 }
 
-int16_t gts::GT_GetCaptureStatus(Call& call) {
+int16_t GT_GetCaptureStatus(Call& call) {
   for (int i = 0; i < call.integer(3); ++i) {
     const auto cell = static_cast<size_t>(i);
     const Capture& capture = UnitOf(call).capture(NumberOf(call) + cell);
@@ -76,14 +76,14 @@ int16_t gts::GT_GetCaptureStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetCaptureSense(Call& call) {
+int16_t GT_SetCaptureSense(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
   CaptureOf(call).SetRising(CaptureSourceOf(call.integer(1)), call.integer(2) != 0);
   return vm::kOk;
 }
 
-int16_t gts::GT_ClearCaptureStatus(Call& call) {
+int16_t GT_ClearCaptureStatus(Call& call) {
   UnitOf(call).Clear(NumberOf(call));
   return vm::kOk;
 }
@@ -100,18 +100,18 @@ int16_t CheckDisarmed(Call& call) {
 }  // namespace
 
 /// Public samples call it after GT_SetCaptureMode.
-int16_t gts::GT_SetCaptureRepeat(Call& call) {
+int16_t GT_SetCaptureRepeat(Call& call) {
   UnitOf(call).SetRepeat(NumberOf(call), static_cast<uint16_t>(call.integer(1)));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCaptureRepeatStatus(Call& call) {
+int16_t GT_GetCaptureRepeatStatus(Call& call) {
   call.Set(1, static_cast<double>(CaptureOf(call).positions.size()));
   return vm::kOk;
 }
 
 /// Positions are numbered from 1, as in public samples.
-int16_t gts::GT_GetCaptureRepeatPos(Call& call) {
+int16_t GT_GetCaptureRepeatPos(Call& call) {
   const std::vector<double>& positions = CaptureOf(call).positions;
   const int first = call.integer(2);
   const int count = call.integer(3);
@@ -128,14 +128,14 @@ int16_t gts::GT_GetCaptureRepeatPos(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetCaptureEncoder(Call& call) {
+int16_t GT_SetCaptureEncoder(Call& call) {
   const int16_t code = CheckDisarmed(call);
   if (code != vm::kOk) return code;
   CaptureOf(call).encoder = static_cast<uint8_t>(NumberOf(call, 1));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetCaptureOffset(Call& call) {
+int16_t GT_SetCaptureOffset(Call& call) {
   if (call.value(3) < 0) return RefuseRange(call, "loop", call.value(3), 0, 2147483647);
   std::vector<int32_t> offsets;
   for (const double offset : call.cells(1)) offsets.push_back(static_cast<int32_t>(offset));
@@ -143,7 +143,7 @@ int16_t gts::GT_SetCaptureOffset(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCaptureOffset(Call& call) {
+int16_t GT_GetCaptureOffset(Call& call) {
   const Capture& capture = CaptureOf(call);
   const size_t count = std::min(call.cells(1).size(), capture.offsets.size());
   for (size_t i = 0; i < count; ++i) call.Set(1, capture.offsets[i], i);
@@ -152,7 +152,7 @@ int16_t gts::GT_GetCaptureOffset(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCaptureOffsetStatus(Call& call) {
+int16_t GT_GetCaptureOffsetStatus(Call& call) {
   const Capture& capture = CaptureOf(call);
   call.Set(1, capture.offsets_used);
   call.Set(2, capture.loops_done);
@@ -160,14 +160,14 @@ int16_t gts::GT_GetCaptureOffsetStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_LinkCaptureOffset(Call& call) {
+int16_t GT_LinkCaptureOffset(Call& call) {
   const int16_t code = CheckEncoder(call, "source", call.value(1));
   if (code != vm::kOk) return code;
   UnitOf(call).LinkOffsets(NumberOf(call), NumberOf(call, 1));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetTrigger(Call& call) {
+int16_t GT_SetTrigger(Call& call) {
   const std::span<double> cells = call.cells(1);
   const int axes = call.card.motion.config().axis_count;
   int16_t code = CheckEncoder(call, "TTrigger.encoder", cells[kEncoder]);
@@ -200,7 +200,7 @@ int16_t gts::GT_SetTrigger(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetTrigger(Call& call) {
+int16_t GT_GetTrigger(Call& call) {
   const Trigger& t = UnitOf(call).trigger(NumberOf(call));
   const double cells[] = {double(t.encoder + 1),
                           double(CaptureNumber(t.source)),
@@ -215,7 +215,7 @@ int16_t gts::GT_GetTrigger(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetTriggerStatus(Call& call) {
+int16_t GT_GetTriggerStatus(Call& call) {
   const size_t count =
       std::min(static_cast<size_t>(call.integer(2)), call.cells(1).size() / kTriggerStatusCells);
   for (size_t i = 0; i < count; ++i) {
@@ -227,9 +227,9 @@ int16_t gts::GT_GetTriggerStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_ClearTriggerStatus(Call& call) {
+int16_t GT_ClearTriggerStatus(Call& call) {
   UnitOf(call).ClearTrigger(NumberOf(call));
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

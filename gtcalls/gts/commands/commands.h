@@ -13,15 +13,13 @@
 #include "gtcalls/card.h"
 #include "vm/object.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The commands: one function for each row of the catalogue, except those of the host library and
 /// those of unsupported.def. The files of this folder define them; the linker reports a missing
 /// one.
-namespace gts {
 #define COMMAND(number, name, ...) int16_t name(Call& call);
 #include "gtcalls/gts/catalogue.def"
-}  // namespace gts
 
 /// Why a thread is not in the state that a command needs: its state, and what to call first.
 Message DescribeThread(int thread, const vm::ThreadState& state);
@@ -59,4 +57,4 @@ std::optional<vm::DataType> DeclaredType(const std::vector<vm::Symbol>& symbols,
 /// have changed since. 0, or the code with which to refuse GT_Bind; then nothing has changed.
 int16_t LinkPendingWords(Call& call, int function_id);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

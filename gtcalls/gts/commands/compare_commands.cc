@@ -8,7 +8,7 @@
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::CompareModule;
@@ -49,7 +49,7 @@ int16_t RefuseCompareMember(Call& call, std::string_view name, double value, dou
 
 }  // namespace
 
-int16_t gts::GT_2DCompareMode(Call& call) {
+int16_t GT_2DCompareMode(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   ModuleOf(call).parameters.two_dimensional = call.integer(1) != 0;
@@ -96,18 +96,18 @@ int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
 
 }  // namespace
 
-int16_t gts::GT_2DComparePulse(Call& call) {
+int16_t GT_2DComparePulse(Call& call) {
   const std::array channels = {ChannelOf(call)};
   return PutOut(call, 1, channels);
 }
 
 /// Assumption: acts on both high-speed outputs, because the command has no parameter to choose one.
-int16_t gts::GT_ComparePulse(Call& call) {
+int16_t GT_ComparePulse(Call& call) {
   constexpr std::array<size_t, 2> kChannels = {0, 1};
   return PutOut(call, 0, kChannels);
 }
 
-int16_t gts::GT_BufComparePulse(Call& call) {
+int16_t GT_BufComparePulse(Call& call) {
   const int16_t code = CheckOutput(call, 1);
   if (code != vm::kOk) return code;
   motion::PathSlot slot;
@@ -141,7 +141,7 @@ int16_t CheckComparedAxis(Call& call, std::string_view name, double number) {
 
 }  // namespace
 
-int16_t gts::GT_2DCompareSetPrm(Call& call) {
+int16_t GT_2DCompareSetPrm(Call& call) {
   const std::span<double> cells = call.cells(1);
   for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
     const int16_t code = CheckComparedAxis(call, name, cells[cell]);
@@ -193,7 +193,7 @@ size_t FreeSpace(const CompareModule& module) {
 
 }  // namespace
 
-int16_t gts::GT_2DCompareData(Call& call) {
+int16_t GT_2DCompareData(Call& call) {
   const auto count = static_cast<size_t>(call.integer(1));
   const std::span<double> cells = call.cells(2);
   if (count > FreeSpace(ModuleOf(call))) {
@@ -210,7 +210,7 @@ int16_t gts::GT_2DCompareData(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_2DCompareStart(Call& call) {
+int16_t GT_2DCompareStart(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   const CompareModule& module = ModuleOf(call);
@@ -225,19 +225,19 @@ int16_t gts::GT_2DCompareStart(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_2DCompareStop(Call& call) {
+int16_t GT_2DCompareStop(Call& call) {
   CompareOf(call).Stop(ChannelOf(call));
   return vm::kOk;
 }
 
-int16_t gts::GT_2DCompareClear(Call& call) {
+int16_t GT_2DCompareClear(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   CompareOf(call).Clear(ChannelOf(call));
   return vm::kOk;
 }
 
-int16_t gts::GT_2DCompareStatus(Call& call) {
+int16_t GT_2DCompareStatus(Call& call) {
   const CompareModule& module = ModuleOf(call);
   const size_t in_fifo = std::min(module.waiting(), motion::kCompareFifoSize);
   call.Set(1, module.running ? 0 : 1);
@@ -281,7 +281,7 @@ void StartLinear(const Call& call, size_t channel, const CompareParameters& para
 
 /// Assumption: positions are relative to the encoder's current position, like those of
 /// GT_2DCompareData; the first list is for HSIO0, the second for HSIO1.
-int16_t gts::GT_CompareData(Call& call) {
+int16_t GT_CompareData(Call& call) {
   constexpr std::array<size_t, 2> kLists = {5, 7};
   const bool level_output = call.integer(2) != 0;
   if (!level_output && call.integer(4) < 1) {
@@ -320,7 +320,7 @@ int16_t gts::GT_CompareData(Call& call) {
 
 /// Assumption: `repeatTimes` is the number of pulses, and the first one is output `startPos` pulses
 /// from the encoder's current position.
-int16_t gts::GT_CompareLinear(Call& call) {
+int16_t GT_CompareLinear(Call& call) {
   const auto channel = static_cast<size_t>(call.integer(1));
   const int64_t first = call.integer(2);
   const int64_t count = call.integer(3);
@@ -348,16 +348,16 @@ int16_t gts::GT_CompareLinear(Call& call) {
 
 /// Assumption: the status is that of GT_2DCompareStatus: 0 while there are points left, then 1; the
 /// count is the sum for both outputs.
-int16_t gts::GT_CompareStatus(Call& call) {
+int16_t GT_CompareStatus(Call& call) {
   const CompareUnit& compare = CompareOf(call);
   call.Set(0, compare.running() ? 0 : 1);
   call.Set(1, compare.module(0).hits + compare.module(1).hits);
   return vm::kOk;
 }
 
-int16_t gts::GT_CompareStop(Call& call) {
+int16_t GT_CompareStop(Call& call) {
   for (size_t channel = 0; channel < motion::kHsioCount; ++channel) CompareOf(call).Stop(channel);
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

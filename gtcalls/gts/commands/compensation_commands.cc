@@ -6,7 +6,7 @@
 
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Backlash;
@@ -19,14 +19,14 @@ const Compensation& CompensationOf(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_SetBacklash(Call& call) {
+int16_t GT_SetBacklash(Call& call) {
   call.card.motion.SetBacklash(
       NumberOf(call),
       {.value = call.integer(1), .change = call.value(2), .positive = call.integer(3) != 0});
   return vm::kOk;
 }
 
-int16_t gts::GT_GetBacklash(Call& call) {
+int16_t GT_GetBacklash(Call& call) {
   const Backlash& backlash = CompensationOf(call).backlash;
   call.Set(1, backlash.value);
   call.Set(2, backlash.change);
@@ -44,7 +44,7 @@ std::vector<int32_t> Points(const Call& call, size_t index) {
 
 }  // namespace
 
-int16_t gts::GT_SetLeadScrewComp(Call& call) {
+int16_t GT_SetLeadScrewComp(Call& call) {
   auto table = std::make_shared<PitchTable>();
   table->start = call.value(2);
   table->length = call.value(3);
@@ -54,7 +54,7 @@ int16_t gts::GT_SetLeadScrewComp(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_EnableLeadScrewComp(Call& call) {
+int16_t GT_EnableLeadScrewComp(Call& call) {
   const bool on = call.integer(1) != 0;
   if (on && CompensationOf(call).pitch_table == nullptr) {
     return call.Refuse(
@@ -67,7 +67,7 @@ int16_t gts::GT_EnableLeadScrewComp(Call& call) {
 }
 
 /// The cross error is part of a compensation that this card does not have.
-int16_t gts::GT_GetCompensate(Call& call) {
+int16_t GT_GetCompensate(Call& call) {
   const Compensation& compensation = CompensationOf(call);
   call.Set(1, compensation.pitch_error);
   call.Set(2, 0);
@@ -79,10 +79,10 @@ int16_t gts::GT_GetCompensate(Call& call) {
 
 /// Assumption: a zero-vibration shaper (motion/input_shaper.h). `count` and `k` mean nothing when
 /// it is switched off.
-int16_t gts::GT_SetAxisInputShaping(Call& call) {
+int16_t GT_SetAxisInputShaping(Call& call) {
   const size_t axis = NumberOf(call);
   const bool on = call.integer(1) != 0;
-  if (on && (call.integer(2) < 1 || call.value(3) < gts::kAboveZero)) {
+  if (on && (call.integer(2) < 1 || call.value(3) < kAboveZero)) {
     return call.Refuse(vm::kBadParameter, MakeMessage("count {0} and k {1}: both must be above 0",
                                                       "count 为 {0}，k 为 {1}：两者均须大于 0",
                                                       call.integer(2), call.value(3)));
@@ -100,4 +100,4 @@ int16_t gts::GT_SetAxisInputShaping(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -6,7 +6,7 @@
 #include "gtcalls/gts/card_config.h"
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// Assumption: a file that cannot be read gives the code that GT_Download would return.
@@ -14,7 +14,7 @@ constexpr int16_t kFileNotFound = 2007;
 
 }  // namespace
 
-int16_t gts::GT_LoadConfig(Call& call) {
+int16_t GT_LoadConfig(Call& call) {
   const auto* path = static_cast<const char*>(call.arguments[0].host);
   if (std::strlen(path) > kConfigPathMax) {
     return call.Refuse(
@@ -37,4 +37,4 @@ int16_t gts::GT_LoadConfig(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

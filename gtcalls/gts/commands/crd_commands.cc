@@ -7,7 +7,7 @@
 #include "gtcalls/gts/commands/look_ahead_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Crd;
@@ -75,17 +75,17 @@ int16_t CheckParameters(Call& call) {
   if (code != vm::kOk) return code;
   for (const auto& [cell, name] :
        {std::pair{kVelocityCell, "synVelMax"}, std::pair{kAccelerationCell, "synAccMax"}}) {
-    if (!(cells[cell] >= gts::kAboveZero && cells[cell] < gts::kRateBound)) {
+    if (!(cells[cell] >= kAboveZero && cells[cell] < kRateBound)) {
       return RefuseMember(call, name, cells[cell], "[1e-09, 32767)");
     }
   }
-  if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < gts::kRateBound)) {
+  if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < kRateBound)) {
     return RefuseMember(call, "evenTime", cells[kEvenTimeCell], "[0, 32767)");
   }
   const double flag = cells[kOriginFlagCell];
   if (flag != 0 && flag != 1) return RefuseMember(call, "setOriginFlag", flag, "[0, 1]");
   for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
-    if (std::fabs(cells[kOriginCell + i]) > gts::kPositionMax) {
+    if (std::fabs(cells[kOriginCell + i]) > kPositionMax) {
       return RefuseMember(call, "originPos", cells[kOriginCell + i], "[-1073741823, 1073741823]");
     }
   }
@@ -119,7 +119,7 @@ CrdParameters ParametersOf(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_SetCrdPrm(Call& call) {
+int16_t GT_SetCrdPrm(Call& call) {
   int16_t code = CheckParameters(call);
   if (code == vm::kOk) code = CheckCrdAtRest(call, NumberOf(call));
   if (code != vm::kOk) return code;
@@ -141,7 +141,7 @@ int16_t gts::GT_SetCrdPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCrdPrm(Call& call) {
+int16_t GT_GetCrdPrm(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const CrdParameters& parameters = CrdOf(call).parameters;
@@ -157,7 +157,7 @@ int16_t gts::GT_GetCrdPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetCrdStopDec(Call& call) {
+int16_t GT_SetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   CrdOf(call).smooth_stop = call.value(1);
@@ -165,7 +165,7 @@ int16_t gts::GT_SetCrdStopDec(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetCrdStopDec(Call& call) {
+int16_t GT_GetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, CrdOf(call).smooth_stop);
@@ -173,13 +173,13 @@ int16_t gts::GT_GetCrdStopDec(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetCrdLmtStopMode(Call& call) {
+int16_t GT_SetCrdLmtStopMode(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) CrdOf(call).limit_stop.smooth = call.integer(1) != kAbruptStopType;
   return code;
 }
 
-int16_t gts::GT_GetCrdLmtStopMode(Call& call) {
+int16_t GT_GetCrdLmtStopMode(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, CrdOf(call).limit_stop.smooth ? kSmoothStopType : kAbruptStopType);
@@ -195,12 +195,12 @@ size_t CoordinateCells(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_SetCrdSingleMaxVel(Call& call) {
+int16_t GT_SetCrdSingleMaxVel(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
     const double velocity = call.cells(1)[i];
-    if (!(velocity >= gts::kAboveZero && velocity <= Crd::kNoVelocityLimit)) {
+    if (!(velocity >= kAboveZero && velocity <= Crd::kNoVelocityLimit)) {
       return RefuseMember(call, "pMaxVel", velocity, "[1e-09, 32767]");
     }
   }
@@ -220,7 +220,7 @@ int16_t GiveCoordinates(Call& call, const motion::Coordinates& values) {
 
 }  // namespace
 
-int16_t gts::GT_GetCrdSingleMaxVel(Call& call) {
+int16_t GT_GetCrdSingleMaxVel(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).axis_velocity_max);
 }
@@ -312,10 +312,10 @@ int16_t StartEach(Call& call, bool single_step) {
 
 }  // namespace
 
-int16_t gts::GT_CrdStart(Call& call) { return StartEach(call, false); }
-int16_t gts::GT_CrdStartStep(Call& call) { return StartEach(call, true); }
+int16_t GT_CrdStart(Call& call) { return StartEach(call, false); }
+int16_t GT_CrdStartStep(Call& call) { return StartEach(call, true); }
 
-int16_t gts::GT_CrdStepMode(Call& call) {
+int16_t GT_CrdStepMode(Call& call) {
   const std::vector<size_t> selected = SelectedCrds(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t i : selected) {
@@ -342,10 +342,10 @@ int16_t SetRatio(Call& call, double Crd::*ratio) {
 
 }  // namespace
 
-int16_t gts::GT_SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
-int16_t gts::GT_SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
+int16_t GT_SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
+int16_t GT_SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
 
-int16_t gts::GT_CrdClear(Call& call) {
+int16_t GT_CrdClear(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk && CrdOf(call).run.fifo == FifoNumber(call)) {
     code = CheckCrdAtRest(call, NumberOf(call));
@@ -368,7 +368,7 @@ bool IsRunning(const Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_CrdStatus(Call& call) {
+int16_t GT_CrdStatus(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, IsRunning(call) ? 1 : 0);
@@ -388,15 +388,15 @@ int16_t Give(Call& call, Value value) {
 
 }  // namespace
 
-int16_t gts::GT_CrdSpace(Call& call) {
+int16_t GT_CrdSpace(Call& call) {
   return Give(call, [&] { return FifoOf(call).space(); });
 }
 
-int16_t gts::GT_GetCrdVel(Call& call) {
+int16_t GT_GetCrdVel(Call& call) {
   return Give(call, [&] { return CrdOf(call).run.velocity; });
 }
 
-int16_t gts::GT_GetLookAheadSpace(Call& call) {
+int16_t GT_GetLookAheadSpace(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
     return fifo.planner ? fifo.planner->capacity - fifo.planner->spans.size()
@@ -404,55 +404,55 @@ int16_t gts::GT_GetLookAheadSpace(Call& call) {
   });
 }
 
-int16_t gts::GT_GetLookAheadSegCount(Call& call) {
+int16_t GT_GetLookAheadSegCount(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
     return fifo.planner ? fifo.planner->spans.size() : fifo.look_ahead.ring.size();
   });
 }
 
-int16_t gts::GT_GetUserSegNum(Call& call) {
+int16_t GT_GetUserSegNum(Call& call) {
   return Give(call, [&] { return FifoOf(call).current.user_number; });
 }
 
-int16_t gts::GT_GetUserSegNumWN(Call& call) {
+int16_t GT_GetUserSegNumWN(Call& call) {
   return Give(call, [&] { return FifoOf(call).current.given_number; });
 }
 
-int16_t gts::GT_GetRemainderSegNum(Call& call) {
+int16_t GT_GetRemainderSegNum(Call& call) {
   return Give(call, [&] { return FifoOf(call).Remaining(); });
 }
 
-int16_t gts::GT_GetUserTargetVel(Call& call) {
+int16_t GT_GetUserTargetVel(Call& call) {
   return Give(call, [&] { return CrdOf(call).active().current.velocity; });
 }
 
-int16_t gts::GT_SetUserSegNum(Call& call) {
+int16_t GT_SetUserSegNum(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) FifoOf(call).user_number = call.integer(1);
   return code;
 }
 
-int16_t gts::GT_GetCrdPos(Call& call) {
+int16_t GT_GetCrdPos(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code
                          : GiveCoordinates(call, call.card.motion.CrdPosition(NumberOf(call)));
 }
 
-int16_t gts::GT_GetSegTargetPos(Call& call) {
+int16_t GT_GetSegTargetPos(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).active().current.segment.end);
 }
 
 // --- Look-ahead ------------------------------------------------------------------------------
 
-int16_t gts::GT_InitLookAhead(Call& call) {
+int16_t GT_InitLookAhead(Call& call) {
   const double time = call.value(2);
   const double acceleration = call.value(3);
-  if (!(time >= gts::kAboveZero && time < gts::kRateBound)) {
+  if (!(time >= kAboveZero && time < kRateBound)) {
     return RefuseMember(call, "T", time, "[1e-09, 32767)");
   }
-  if (!(acceleration >= gts::kAboveZero && acceleration < gts::kRateBound)) {
+  if (!(acceleration >= kAboveZero && acceleration < kRateBound)) {
     return RefuseMember(call, "accMax", acceleration, "[1e-09, 32767)");
   }
   const int16_t code = CheckCrd(call, NumberOf(call));
@@ -474,4 +474,4 @@ int16_t gts::GT_InitLookAhead(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

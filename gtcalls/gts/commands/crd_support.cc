@@ -2,7 +2,7 @@
 
 #include "gtcalls/gts/commands/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 int16_t CheckCrd(Call& call, size_t crd) {
   if (call.card.motion.state().crds[crd].exists()) return vm::kOk;
@@ -88,4 +88,4 @@ uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask) {
   return crds & ((uint32_t{1} << motion::kCrdCount) - 1);
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

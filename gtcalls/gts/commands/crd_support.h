@@ -7,7 +7,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "motion/paths/crd.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The coordinate system that argument 0 numbers.
 inline motion::Crd& CrdOf(const Call& call) {
@@ -47,4 +47,4 @@ inline constexpr unsigned kFirstCrdBitTo8Axes = 8;
 /// The coordinate systems whose bits such a mask has: bit 0 is coordinate system 1.
 uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

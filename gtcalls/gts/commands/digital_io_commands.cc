@@ -5,7 +5,7 @@
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::DigitalIo;
@@ -42,35 +42,35 @@ int BitOf(const Call& call) { return call.integer(1) - 1; }
 
 // --- Outputs ---------------------------------------------------------------------------------
 
-int16_t gts::GT_SetDo(Call& call) {
+int16_t GT_SetDo(Call& call) {
   ChangeIo(call).Write(DoOf(call), ~uint32_t{0}, BitWord(call.value(1)));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetDoMask(Call& call) {
+int16_t GT_SetDoMask(Call& call) {
   ChangeIo(call).Write(DoOf(call), BitWord(call.value(1)), BitWord(call.value(2)));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetDoBit(Call& call) {
+int16_t GT_SetDoBit(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   ChangeIo(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0, 0);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetDoBitReverse(Call& call) {
+int16_t GT_SetDoBitReverse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   ChangeIo(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
                                 call.integer(3) * kTimeUnitUs);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetDo(Call& call) {
+int16_t GT_GetDo(Call& call) {
   call.Set(1, IoOf(call).Register(DoOf(call)));
   return vm::kOk;
 }
 
-int16_t gts::GT_EnableDoBitPulse(Call& call) {
+int16_t GT_EnableDoBitPulse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   const int high = call.integer(2);
   const int low = call.integer(3);
@@ -89,7 +89,7 @@ int16_t gts::GT_EnableDoBitPulse(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_DisableDoBitPulse(Call& call) {
+int16_t GT_DisableDoBitPulse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   ChangeIo(call).StopTiming(DoOf(call), BitOf(call));
   return vm::kOk;
@@ -97,17 +97,17 @@ int16_t gts::GT_DisableDoBitPulse(Call& call) {
 
 // --- Inputs ----------------------------------------------------------------------------------
 
-int16_t gts::GT_GetDi(Call& call) {
+int16_t GT_GetDi(Call& call) {
   call.Set(1, IoOf(call).Read(DiOf(call)));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetDiRaw(Call& call) {
+int16_t GT_GetDiRaw(Call& call) {
   call.Set(1, IoOf(call).Pins(DiOf(call)));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetDiReverseCount(Call& call) {
+int16_t GT_GetDiReverseCount(Call& call) {
   const int count = call.integer(3);
   if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
   for (int i = 0; i < count; ++i) {
@@ -116,7 +116,7 @@ int16_t gts::GT_GetDiReverseCount(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetDiReverseCount(Call& call) {
+int16_t GT_SetDiReverseCount(Call& call) {
   const int count = call.integer(3);
   if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
   for (int i = 0; i < count; ++i) {
@@ -127,7 +127,7 @@ int16_t gts::GT_SetDiReverseCount(Call& call) {
 }
 
 /// Bits 2(n-1) and 2(n-1)+1: the positive and the negative limit of axis n are active low.
-int16_t gts::GT_LmtSns(Call& call) {
+int16_t GT_LmtSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
   uint32_t positive = 0;
   uint32_t negative = 0;
@@ -141,9 +141,9 @@ int16_t gts::GT_LmtSns(Call& call) {
 }
 
 /// Assumption: bit n-1 inverts general input n, as for GT_EncSns and encoders.
-int16_t gts::GT_GpiSns(Call& call) {
+int16_t GT_GpiSns(Call& call) {
   ChangeIo(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

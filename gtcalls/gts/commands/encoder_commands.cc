@@ -3,15 +3,15 @@
 // Tested by tests/gtcalls/encoder_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
-int16_t gts::GT_EncOn(Call& call) {
+int16_t GT_EncOn(Call& call) {
   call.card.motion.SetEncoderExternal(NumberOf(call), true);
   return vm::kOk;
 }
 
 /// A closed loop needs the external encoder (GTS manual 4.3.2).
-int16_t gts::GT_EncOff(Call& call) {
+int16_t GT_EncOff(Call& call) {
   for (const motion::Control& control : call.card.motion.state().controls) {
     if (!control.closed || control.encoder != call.integer(0) - 1) continue;
     return call.Refuse(
@@ -25,9 +25,9 @@ int16_t gts::GT_EncOff(Call& call) {
 }
 
 /// Bit n-1 reverses encoder n.
-int16_t gts::GT_EncSns(Call& call) {
+int16_t GT_EncSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
-  for (size_t i = 0; i < gts::kAxisMax; ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     if (call.card.motion.HasEncoder(i)) {
       call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
     }
@@ -59,7 +59,7 @@ int16_t SetStepMode(Call& call, int16_t mode) {
 
 }  // namespace
 
-int16_t gts::GT_StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
-int16_t gts::GT_StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
+int16_t GT_StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
+int16_t GT_StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 // Tested by tests/gtcalls/extension_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ExtensionModule;
@@ -72,18 +72,18 @@ void SetDaVoltage(Call& call, ExtensionModule& module) {
 }  // namespace
 
 /// A missing module is the result of this command, not a reason to refuse it.
-int16_t gts::GT_GetStsExtMdl(Call& call) {
+int16_t GT_GetStsExtMdl(Call& call) {
   call.Set(2, ExtensionOf(call).present ? 0 : kModuleFault);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetExtIoValue(Call& call) { return WithModule<SetIoValue>(call); }
-int16_t gts::GT_GetExtIoValue(Call& call) { return WithModule<GetIoValue>(call); }
-int16_t gts::GT_SetExtIoBit(Call& call) { return WithModule<SetIoBit>(call); }
-int16_t gts::GT_GetExtIoBit(Call& call) { return WithModule<GetIoBit>(call); }
-int16_t gts::GT_GetExtAdValue(Call& call) { return WithModule<GetAdValue>(call); }
-int16_t gts::GT_GetExtAdVoltage(Call& call) { return WithModule<GetAdVoltage>(call); }
-int16_t gts::GT_SetExtDaValue(Call& call) { return WithModule<SetDaValue>(call); }
-int16_t gts::GT_SetExtDaVoltage(Call& call) { return WithModule<SetDaVoltage>(call); }
+int16_t GT_SetExtIoValue(Call& call) { return WithModule<SetIoValue>(call); }
+int16_t GT_GetExtIoValue(Call& call) { return WithModule<GetIoValue>(call); }
+int16_t GT_SetExtIoBit(Call& call) { return WithModule<SetIoBit>(call); }
+int16_t GT_GetExtIoBit(Call& call) { return WithModule<GetIoBit>(call); }
+int16_t GT_GetExtAdValue(Call& call) { return WithModule<GetAdValue>(call); }
+int16_t GT_GetExtAdVoltage(Call& call) { return WithModule<GetAdVoltage>(call); }
+int16_t GT_SetExtDaValue(Call& call) { return WithModule<SetDaValue>(call); }
+int16_t GT_SetExtDaVoltage(Call& call) { return WithModule<SetDaVoltage>(call); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::FollowMode;
@@ -23,7 +23,7 @@ size_t FifoArgument(const Call& call, size_t index) {
 
 }  // namespace
 
-int16_t gts::GT_PrfFollow(Call& call) {
+int16_t GT_PrfFollow(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kFollow, FollowOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kFollow);
@@ -31,7 +31,7 @@ int16_t gts::GT_PrfFollow(Call& call) {
   return code;
 }
 
-int16_t gts::GT_SetFollowMaster(Call& call) {
+int16_t GT_SetFollowMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckFollowAtRest(call);
@@ -39,25 +39,25 @@ int16_t gts::GT_SetFollowMaster(Call& call) {
   return code;
 }
 
-int16_t gts::GT_GetFollowMaster(Call& call) {
+int16_t GT_GetFollowMaster(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) SetMasterOutputs(call, FollowOf(call).master);
   return code;
 }
 
-int16_t gts::GT_SetFollowLoop(Call& call) {
+int16_t GT_SetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) FollowOf(call).loop = call.integer(1);
   return code;
 }
 
-int16_t gts::GT_GetFollowLoop(Call& call) {
+int16_t GT_GetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) call.Set(1, FollowOf(call).passes);
   return code;
 }
 
-int16_t gts::GT_SetFollowEvent(Call& call) {
+int16_t GT_SetFollowEvent(Call& call) {
   if (call.integer(2) == 0) {
     return call.Refuse(vm::kBadParameter, {"masterDir is 0; 1 is forward, -1 backward",
                                            "masterDir 为 0；1 为正向，-1 为负向"});
@@ -71,7 +71,7 @@ int16_t gts::GT_SetFollowEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetFollowEvent(Call& call) {
+int16_t GT_GetFollowEvent(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   const FollowMode& follow = FollowOf(call);
@@ -81,13 +81,13 @@ int16_t gts::GT_GetFollowEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetFollowMemory(Call& call) {
+int16_t GT_SetFollowMemory(Call& call) {
   const int16_t code = CheckFollowAtRest(call);
   if (code == vm::kOk) FollowOf(call).SetMemory(call.integer(1) != 0);
   return code;
 }
 
-int16_t gts::GT_GetFollowMemory(Call& call) {
+int16_t GT_GetFollowMemory(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) call.Set(1, FollowOf(call).large_memory ? 1 : 0);
   return code;
@@ -95,7 +95,7 @@ int16_t gts::GT_GetFollowMemory(Call& call) {
 
 // --- Data ------------------------------------------------------------------------------------
 
-int16_t gts::GT_FollowSpace(Call& call) {
+int16_t GT_FollowSpace(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) {
     call.Set(1, static_cast<double>(FollowOf(call).Space(FifoArgument(call, 2))));
@@ -120,7 +120,7 @@ bool CheckMasterSegment(Call& call, const std::vector<FollowSegment>& segments, 
 
 }  // namespace
 
-int16_t gts::GT_FollowData(Call& call) {
+int16_t GT_FollowData(Call& call) {
   const int16_t code = CheckFollow(call);
   FollowMode& follow = FollowOf(call);
   const size_t which = FifoArgument(call, 4);
@@ -137,7 +137,7 @@ int16_t gts::GT_FollowData(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_FollowClear(Call& call) {
+int16_t GT_FollowClear(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
@@ -183,7 +183,7 @@ int16_t CheckFollowStart(Call& call, size_t profile) {
 
 }  // namespace
 
-int16_t gts::GT_FollowStart(Call& call) {
+int16_t GT_FollowStart(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -214,7 +214,7 @@ int16_t CheckFollowSwitch(Call& call, size_t profile) {
 
 }  // namespace
 
-int16_t gts::GT_FollowSwitch(Call& call) {
+int16_t GT_FollowSwitch(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -226,7 +226,7 @@ int16_t gts::GT_FollowSwitch(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetFollowStatus(Call& call) {
+int16_t GT_GetFollowStatus(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   call.Set(1, FollowOf(call).fifo);
@@ -234,4 +234,4 @@ int16_t gts::GT_GetFollowStatus(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -2,9 +2,9 @@
 // Tested by tests/gtcalls/gantry_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
-int16_t gts::GT_EnableGantry(Call& call) {
+int16_t GT_EnableGantry(Call& call) {
   motion::MotionCore& core = call.card.motion;
   const size_t master = NumberOf(call);
   const size_t slave = NumberOf(call, 1);
@@ -26,7 +26,7 @@ int16_t gts::GT_EnableGantry(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_DisableGantry(Call& call) {
+int16_t GT_DisableGantry(Call& call) {
   const motion::Gantry& gantry = call.card.motion.state().gantry;
   if (!gantry.on) return vm::kOk;
   const int16_t code = CheckAxisAtRest(call, gantry.master);
@@ -35,14 +35,14 @@ int16_t gts::GT_DisableGantry(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetGantryErrLmt(Call& call) {
+int16_t GT_SetGantryErrLmt(Call& call) {
   call.card.motion.state().gantry.error_limit = call.integer(0);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetGantryErrLmt(Call& call) {
+int16_t GT_GetGantryErrLmt(Call& call) {
   call.Set(0, call.card.motion.state().gantry.error_limit);
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

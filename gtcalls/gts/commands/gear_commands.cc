@@ -4,7 +4,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::GearMode;
@@ -16,7 +16,7 @@ int16_t CheckGear(Call& call) { return CheckMode(call, NumberOf(call), ProfileMo
 
 }  // namespace
 
-int16_t gts::GT_PrfGear(Call& call) {
+int16_t GT_PrfGear(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kGear, GearOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kGear);
@@ -24,7 +24,7 @@ int16_t gts::GT_PrfGear(Call& call) {
   return code;
 }
 
-int16_t gts::GT_SetGearMaster(Call& call) {
+int16_t GT_SetGearMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
@@ -32,13 +32,13 @@ int16_t gts::GT_SetGearMaster(Call& call) {
   return code;
 }
 
-int16_t gts::GT_GetGearMaster(Call& call) {
+int16_t GT_GetGearMaster(Call& call) {
   const int16_t code = CheckGear(call);
   if (code == vm::kOk) SetMasterOutputs(call, GearOf(call).master);
   return code;
 }
 
-int16_t gts::GT_SetGearRatio(Call& call) {
+int16_t GT_SetGearRatio(Call& call) {
   if (call.integer(3) == 1) {
     return call.Refuse(vm::kBadParameter,
                        {"masterSlope is 1; it is 0 for no clutch, or 2 and more pulses",
@@ -55,7 +55,7 @@ int16_t gts::GT_SetGearRatio(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetGearRatio(Call& call) {
+int16_t GT_GetGearRatio(Call& call) {
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
   const GearMode& gear = GearOf(call);
@@ -65,7 +65,7 @@ int16_t gts::GT_GetGearRatio(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetGearEvent(Call& call) {
+int16_t GT_SetGearEvent(Call& call) {
   const auto event = GearEventOf(call.integer(1));
   if (!event) {
     return call.Refuse(
@@ -84,7 +84,7 @@ int16_t gts::GT_SetGearEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetGearEvent(Call& call) {
+int16_t GT_GetGearEvent(Call& call) {
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
   const GearMode& gear = GearOf(call);
@@ -115,7 +115,7 @@ int16_t CheckGearStart(Call& call, size_t profile) {
 
 }  // namespace
 
-int16_t gts::GT_GearStart(Call& call) {
+int16_t GT_GearStart(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -125,4 +125,4 @@ int16_t gts::GT_GearStart(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

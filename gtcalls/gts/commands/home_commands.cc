@@ -5,7 +5,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::HomeError;
@@ -45,11 +45,11 @@ struct Bound {
 constexpr double kDistanceMax = 2147483647;
 constexpr Bound kBounds[] = {
     {kEdge, "edge", 0, 1},
-    {kVelHigh, "velHigh", gts::kAboveZero, 32767},
-    {kVelLow, "velLow", gts::kAboveZero, 32767},
-    {kAcc, "acc", gts::kAboveZero, 32767},
-    {kDec, "dec", gts::kAboveZero, 32767},
-    {kSmoothTime, "smoothTime", 0, gts::kSmoothTimeMax},
+    {kVelHigh, "velHigh", kAboveZero, 32767},
+    {kVelLow, "velLow", kAboveZero, 32767},
+    {kAcc, "acc", kAboveZero, 32767},
+    {kDec, "dec", kAboveZero, 32767},
+    {kSmoothTime, "smoothTime", 0, kSmoothTimeMax},
     {kSearchHomeDistance, "searchHomeDistance", 0, kDistanceMax},
     {kSearchIndexDistance, "searchIndexDistance", 0, kDistanceMax},
     {kEscapeStep, "escapeStep", 0, kDistanceMax},
@@ -122,7 +122,7 @@ int16_t CheckReadyToHome(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_GoHome(Call& call) {
+int16_t GT_GoHome(Call& call) {
   const std::span<double> cells = call.cells(1);
   const auto mode = HomeModeOf(static_cast<int>(cells[kMode]));
   if (mode == motion::HomeMode::kNone) return RefuseHoming(call, HomeError::kMode);
@@ -152,7 +152,7 @@ int16_t gts::GT_GoHome(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetHomePrm(Call& call) {
+int16_t GT_GetHomePrm(Call& call) {
   const HomeParameters& p = HomingOf(call).parameters;
   for (size_t i = 0; i < call.cells(1).size(); ++i) call.Set(1, 0, i);
   call.Set(1, HomeNumber(p.mode), kMode);
@@ -174,7 +174,7 @@ int16_t gts::GT_GetHomePrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetHomeStatus(Call& call) {
+int16_t GT_GetHomeStatus(Call& call) {
   const Homing& homing = HomingOf(call);
   const double status[] = {homing.running ? 1.0 : 0.0,
                            static_cast<double>(HomeNumber(homing.stage)),
@@ -188,7 +188,7 @@ int16_t gts::GT_GetHomeStatus(Call& call) {
 
 // --- Simple homing ---------------------------------------------------------------------------
 
-int16_t gts::GT_HomeInit(Call& call) {
+int16_t GT_HomeInit(Call& call) {
   for (Homing& homing : call.card.motion.state().homing) {
     homing.prepared = true;
     homing.index_follows = false;
@@ -211,7 +211,7 @@ int16_t CheckPrepared(Call& call) {
 /// Searches for the home switch of an axis, at most up to the position in argument 1.
 int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
                      int32_t offset) {
-  const auto in_range = [](double value) { return value >= gts::kAboveZero && value <= 32767; };
+  const auto in_range = [](double value) { return value >= kAboveZero && value <= 32767; };
   if (!in_range(velocity) || !in_range(acceleration)) {
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("vel is {0} and acc is {1}; the range of both is [1e-09, 32767]",
@@ -233,18 +233,18 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
 
 }  // namespace
 
-int16_t gts::GT_Home(Call& call) {
+int16_t GT_Home(Call& call) {
   return SearchSimply(call, HomeKind::kHome, call.value(2), call.value(3), call.integer(4));
 }
 
-int16_t gts::GT_HomeStop(Call& call) {
+int16_t GT_HomeStop(Call& call) {
   return SearchSimply(call, HomeKind::kStop, call.value(2), call.value(3), 0);
 }
 
 /// Assumption: called before GT_Home, it adds a search for the index pulse after the home switch;
 /// called after a GT_Home that has found its switch, it starts the search at once. The velocity is
 /// half of GT_Home's.
-int16_t gts::GT_Index(Call& call) {
+int16_t GT_Index(Call& call) {
   const Homing& homing = HomingOf(call);
   const size_t axis = NumberOf(call);
   int16_t code = CheckPrepared(call);
@@ -264,7 +264,7 @@ enum SimpleStatus : int { kSearching = 0, kFound = 1, kNotFound = 2 };
 
 }  // namespace
 
-int16_t gts::GT_HomeSts(Call& call) {
+int16_t GT_HomeSts(Call& call) {
   const Homing& homing = HomingOf(call);
   SimpleStatus status = kSearching;
   if (!homing.running && homing.found) status = kFound;
@@ -273,4 +273,4 @@ int16_t gts::GT_HomeSts(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

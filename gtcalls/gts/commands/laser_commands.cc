@@ -3,7 +3,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/commands/crd_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Laser;
@@ -49,17 +49,17 @@ int16_t Append(Call& call, motion::BufferedKind kind, size_t channel, int detail
 
 }  // namespace
 
-int16_t gts::GT_SetHSIOOpt(Call& call) {
+int16_t GT_SetHSIOOpt(Call& call) {
   LaserAt(call, 1).on = call.integer(0) != 0;
   return vm::kOk;
 }
 
-int16_t gts::GT_GetHSIOOpt(Call& call) {
+int16_t GT_GetHSIOOpt(Call& call) {
   call.Set(0, LaserAt(call, 1).on ? 1 : 0);
   return vm::kOk;
 }
 
-int16_t gts::GT_LaserPowerMode(Call& call) {
+int16_t GT_LaserPowerMode(Call& call) {
   const int16_t code = CheckZero(call, 4);
   if (code != vm::kOk) return code;
   const LaserBounds bounds = {call.value(2), call.value(1)};
@@ -72,7 +72,7 @@ int16_t gts::GT_LaserPowerMode(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_LaserPrfCmd(Call& call) {
+int16_t GT_LaserPrfCmd(Call& call) {
   Laser& laser = LaserAt(call, 1);
   const int16_t code = CheckPower(call, laser.bounds, call.value(0));
   if (code != vm::kOk) return code;
@@ -81,40 +81,40 @@ int16_t gts::GT_LaserPrfCmd(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_LaserOutFrq(Call& call) {
+int16_t GT_LaserOutFrq(Call& call) {
   LaserAt(call, 1).pulse_frequency = call.value(0);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetPulseWidth(Call& call) {
+int16_t GT_SetPulseWidth(Call& call) {
   LaserAt(call, 1).pulse_width = call.value(0);
   return vm::kOk;
 }
 
-int16_t gts::GT_BufLaserOn(Call& call) {
+int16_t GT_BufLaserOn(Call& call) {
   return Append(call, motion::BufferedKind::kLaserSwitch, 2, 1, {});
 }
 
-int16_t gts::GT_BufLaserOff(Call& call) {
+int16_t GT_BufLaserOff(Call& call) {
   return Append(call, motion::BufferedKind::kLaserSwitch, 2, 0, {});
 }
 
-int16_t gts::GT_BufLaserPrfCmd(Call& call) {
+int16_t GT_BufLaserPrfCmd(Call& call) {
   const int16_t code = CheckPower(call, LaserAt(call, 3).bounds, call.value(1));
   if (code != vm::kOk) return code;
   return Append(call, motion::BufferedKind::kLaserPower, 3, 0, {call.value(1)});
 }
 
-int16_t gts::GT_BufLaserFollowRatio(Call& call) {
+int16_t GT_BufLaserFollowRatio(Call& call) {
   if (call.value(2) > call.value(3)) return RefuseBounds(call, call.value(2), call.value(3));
   return Append(call, motion::BufferedKind::kLaserFollow, 5, call.integer(0) - 1,
                 {call.value(1), call.value(2), call.value(3)});
 }
 
-int16_t gts::GT_BufLaserFollowMode(Call& call) {
+int16_t GT_BufLaserFollowMode(Call& call) {
   const int16_t code = CheckZero(call, 4);
   if (code != vm::kOk) return code;
   return Append(call, motion::BufferedKind::kLaserSource, 3, call.integer(1), {});
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

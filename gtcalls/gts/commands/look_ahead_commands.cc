@@ -6,7 +6,7 @@
 
 #include "gtcalls/gts/commands/look_ahead_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::AxisLimits;
@@ -46,7 +46,7 @@ void DropPlanners(const Call& call) {
 
 // --- Set-up and settings -----------------------------------------------------------------------
 
-int16_t gts::GT_SetupLookAheadCrd(Call& call) {
+int16_t GT_SetupLookAheadCrd(Call& call) {
   int16_t code = CheckNumbers(call);
   if (code == vm::kOk) code = CheckWhole(call, "machineMode", call.value(1), 0, 3);
   if (code != vm::kOk) return code;
@@ -73,7 +73,7 @@ int16_t gts::GT_SetupLookAheadCrd(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetAxisLimitModeLa(Call& call) {
+int16_t GT_SetAxisLimitModeLa(Call& call) {
   int16_t code = CheckEstablished(call);
   for (const double mode : call.cells(1)) {
     if (code == vm::kOk) code = CheckWhole(call, "pAxisLimitMode", mode, 0, kLimitsAll);
@@ -85,21 +85,21 @@ int16_t gts::GT_SetAxisLimitModeLa(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetWorkLimitModeLa(Call& call) {
+int16_t GT_SetWorkLimitModeLa(Call& call) {
   int16_t code = CheckEstablished(call);
   if (code == vm::kOk) code = CheckWhole(call, "workLimitMode", call.value(1), 0, 1);
   if (code == vm::kOk) SetupOf(call).geometric = call.value(1) != 0;
   return code;
 }
 
-int16_t gts::GT_SetAxisVelValidModeLa(Call& call) {
+int16_t GT_SetAxisVelValidModeLa(Call& call) {
   int16_t code = CheckEstablished(call);
   if (code == vm::kOk) code = CheckWhole(call, "velValidAxis", call.value(1), 1, 0xFF);
   if (code == vm::kOk) SetupOf(call).length_axes = BitWord(call.value(1));
   return code;
 }
 
-int16_t gts::GT_SetVelDefineModeLa(Call& call) {
+int16_t GT_SetVelDefineModeLa(Call& call) {
   int16_t code = CheckEstablished(call);
   if (code == vm::kOk) {
     code = CheckWhole(call, "velDefMode", call.value(1), kNormalVelocity, kCutVelocity);
@@ -139,12 +139,12 @@ int16_t CheckFollowers(Call& call) {
                       "follow its segments",
                       "规划器 {0} 属于坐标系 {1}，不能设为跟随轴", i + 1, call.integer(0)));
     }
-    code = CheckSize(call, "pVmax", call.cells(2)[i], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "pVmax", call.cells(2)[i], kAboveZero, kFactorBound);
     if (code == vm::kOk) {
-      code = CheckSize(call, "pAmax", call.cells(3)[i], gts::kAboveZero, kFactorBound);
+      code = CheckSize(call, "pAmax", call.cells(3)[i], kAboveZero, kFactorBound);
     }
     if (code == vm::kOk) {
-      code = CheckSize(call, "pDVmax", call.cells(4)[i], gts::kAboveZero, kFactorBound);
+      code = CheckSize(call, "pDVmax", call.cells(4)[i], kAboveZero, kFactorBound);
     }
     if (code != vm::kOk) return code;
   }
@@ -153,7 +153,7 @@ int16_t CheckFollowers(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_SetFollowAxisParaLa(Call& call) {
+int16_t GT_SetFollowAxisParaLa(Call& call) {
   int16_t code = CheckEstablished(call);
   if (code != vm::kOk) return code;
   if (SetupOf(call).mode != MachineMode::kThreeAxes) {
@@ -209,13 +209,13 @@ int16_t CheckLimits(Call& call, size_t axis) {
   const std::span<double> cells = call.cells(1);
   int16_t code = vm::kOk;
   if ((mode & kLimitsVelocity) != 0) {
-    code = CheckSize(call, "vMax", cells[kVelocityCells + axis], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "vMax", cells[kVelocityCells + axis], kAboveZero, kFactorBound);
   }
   if (code == vm::kOk && (mode & kLimitsAcceleration) != 0) {
-    code = CheckSize(call, "aMax", cells[kAccelerationCells + axis], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "aMax", cells[kAccelerationCells + axis], kAboveZero, kFactorBound);
   }
   if (code == vm::kOk && (mode & kLimitsJump) != 0) {
-    code = CheckSize(call, "DVMax", cells[kJumpCells + axis], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "DVMax", cells[kJumpCells + axis], kAboveZero, kFactorBound);
   }
   return code;
 }
@@ -224,13 +224,13 @@ int16_t CheckInitialisation(Call& call) {
   const std::span<double> cells = call.cells(1);
   int16_t code = CheckWhole(call, "lookAheadNum", cells[kWindowCell], 1, kWindowMax);
   if (code == vm::kOk) {
-    code = CheckSize(call, "time", cells[kTimeCell], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "time", cells[kTimeCell], kAboveZero, kFactorBound);
   }
   if (code == vm::kOk) {
-    code = CheckSize(call, "radiusRatio", cells[kRatioCell], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "radiusRatio", cells[kRatioCell], kAboveZero, kFactorBound);
   }
   if (code == vm::kOk) {
-    code = CheckSize(call, "scale", cells[kScaleCells], gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "scale", cells[kScaleCells], kAboveZero, kFactorBound);
   }
   if (code == vm::kOk) code = CheckRelation(call);
   for (size_t i = 0; i < CrdOf(call).dimension() && code == vm::kOk; ++i) {
@@ -240,8 +240,8 @@ int16_t CheckInitialisation(Call& call) {
   if (code == vm::kOk) code = CheckWhole(call, "motionMode", call.value(3), 0, 1);
   if (code != vm::kOk || call.value(3) == 0 || !call.given(4)) return code;
   for (size_t i = 0; i < CrdOf(call).dimension() && code == vm::kOk; ++i) {
-    code = CheckSize(call, "Pos in pulses", call.cells(4)[i] * cells[kScaleCells],
-                     -gts::kPositionMax, gts::kPositionMax + 1);
+    code = CheckSize(call, "Pos in pulses", call.cells(4)[i] * cells[kScaleCells], -kPositionMax,
+                     kPositionMax + 1);
   }
   return code;
 }
@@ -314,7 +314,7 @@ int16_t CheckLibrary(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_InitLookAheadEx(Call& call) {
+int16_t GT_InitLookAheadEx(Call& call) {
   int16_t code = CheckEstablished(call);
   if (code == vm::kOk) code = CheckLibrary(call);
   if (code == vm::kOk) code = CheckInitialisation(call);
@@ -338,15 +338,15 @@ int16_t gts::GT_InitLookAheadEx(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_InitLookAheadPara(Call& call) {
+int16_t GT_InitLookAheadPara(Call& call) {
   int16_t code = CheckNumbers(call);
   if (code == vm::kOk) code = CheckWhole(call, "lookAheadNum", call.value(1), 1, kWindowMax);
-  if (code == vm::kOk) code = CheckSize(call, "time", call.value(2), gts::kAboveZero, kFactorBound);
+  if (code == vm::kOk) code = CheckSize(call, "time", call.value(2), kAboveZero, kFactorBound);
   if (code == vm::kOk) {
-    code = CheckSize(call, "radiusRatio", call.value(3), gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "radiusRatio", call.value(3), kAboveZero, kFactorBound);
   }
   if (code == vm::kOk) {
-    code = CheckSize(call, "scale", call.value(4), gts::kAboveZero, kFactorBound);
+    code = CheckSize(call, "scale", call.value(4), kAboveZero, kFactorBound);
   }
   if (code != vm::kOk) return code;
   if (CheckCrd(call, NumberOf(call)) != vm::kOk) return kNotEstablished;
@@ -373,7 +373,7 @@ int16_t gts::GT_InitLookAheadPara(Call& call) {
 
 // --- Flush and time ----------------------------------------------------------------------------
 
-int16_t gts::GT_CrdDataEx(Call& call) {
+int16_t GT_CrdDataEx(Call& call) {
   int16_t code = CheckNumbers(call);
   if (code == vm::kOk && call.given(1)) {
     return call.Refuse(kLookAheadParameter,
@@ -394,7 +394,7 @@ int16_t gts::GT_CrdDataEx(Call& call) {
                                  FifoNumber(call), FifoOf(call).Ahead().size()));
 }
 
-int16_t gts::GT_GetMotionTimeEx(Call& call) {
+int16_t GT_GetMotionTimeEx(Call& call) {
   const int16_t code = CheckInitialised(call);
   if (code != vm::kOk) return code;
   if (!FifoOf(call).is_virtual()) {
@@ -408,4 +408,4 @@ int16_t gts::GT_GetMotionTimeEx(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -11,7 +11,7 @@
 #include "motion/common/rounding.h"
 #include "motion/common/trigonometry.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::BufferedKind;
@@ -70,14 +70,12 @@ SegmentRequest ReadScaled(const Call& call, const Coordinates& start) {
 int16_t CheckArguments(Call& call, const SegmentRequest& request) {
   for (const double value : request.end) {
     const int16_t code =
-        CheckSize(call, "coordinate in pulses", value, -gts::kPositionMax, gts::kPositionMax + 1);
+        CheckSize(call, "coordinate in pulses", value, -kPositionMax, kPositionMax + 1);
     if (code != vm::kOk) return code;
   }
-  int16_t code =
-      CheckSize(call, "synVel in pulse/ms", request.velocity, gts::kAboveZero, gts::kRateBound);
+  int16_t code = CheckSize(call, "synVel in pulse/ms", request.velocity, kAboveZero, kRateBound);
   if (code == vm::kOk) {
-    code = CheckSize(call, "synAcc in pulse/ms^2", request.acceleration, gts::kAboveZero,
-                     gts::kRateBound);
+    code = CheckSize(call, "synAcc in pulse/ms^2", request.acceleration, kAboveZero, kRateBound);
   }
   const bool helix = call.command.name == "GT_HelixXYCZEx";
   for (size_t i = 1; i < call.arguments.size() && code == vm::kOk; ++i) {
@@ -242,7 +240,7 @@ int16_t CheckProfile(Call& call, std::string_view name) {
 }  // namespace
 
 #define SEGMENT(name) \
-  int16_t gts::name(Call& call) { return AppendSegmentInMm(call); }
+  int16_t name(Call& call) { return AppendSegmentInMm(call); }
 SEGMENT(GT_LnXYEx)
 SEGMENT(GT_LnXYG0Ex)
 SEGMENT(GT_LnXYZEx)
@@ -260,13 +258,13 @@ SEGMENT(GT_HelixXYCZEx)
 SEGMENT(GT_HelixXYRZEx)
 #undef SEGMENT
 
-int16_t gts::GT_BufDelayEx(Call& call) {
+int16_t GT_BufDelayEx(Call& call) {
   const int16_t code = CheckInitialised(call);
   return code != vm::kOk ? code
                          : AppendAuxiliary(call, BufferedKind::kDelay, 0, 0, {call.value(1)});
 }
 
-int16_t gts::GT_BufIOEx(Call& call) {
+int16_t GT_BufIOEx(Call& call) {
   int16_t code = CheckInitialised(call);
   if (code == vm::kOk) {
     code = CheckWhole(call, "doType", call.value(1), kOutputWordFirst, kOutputWordLast);
@@ -276,7 +274,7 @@ int16_t gts::GT_BufIOEx(Call& call) {
                          0, {call.value(2), call.value(3)});
 }
 
-int16_t gts::GT_BufDAEx(Call& call) {
+int16_t GT_BufDAEx(Call& call) {
   int16_t code = CheckInitialised(call);
   if (code == vm::kOk) {
     const size_t axes = call.card.motion.axis_count();
@@ -289,19 +287,18 @@ int16_t gts::GT_BufDAEx(Call& call) {
                          {std::max(call.value(2), -motion::kDacFull)});
 }
 
-int16_t gts::GT_BufGearEx(Call& call) {
+int16_t GT_BufGearEx(Call& call) {
   int16_t code = CheckInitialised(call);
   if (code == vm::kOk) code = CheckProfile(call, "gearAxis");
   const double displacement = code == vm::kOk ? call.value(2) * BufferOf(call).scale : 0;
   if (code == vm::kOk) {
-    code = CheckSize(call, "deltaPos in pulses", displacement, -gts::kPositionMax,
-                     gts::kPositionMax + 1);
+    code = CheckSize(call, "deltaPos in pulses", displacement, -kPositionMax, kPositionMax + 1);
   }
   if (code != vm::kOk) return code;
   return AppendAuxiliary(call, BufferedKind::kGear, call.integer(1) - 1, 0, {displacement});
 }
 
-int16_t gts::GT_BufMoveEx(Call& call) {
+int16_t GT_BufMoveEx(Call& call) {
   int16_t code = CheckInitialised(call);
   if (code == vm::kOk) code = CheckProfile(call, "moveAxis");
   if (code == vm::kOk) code = CheckWhole(call, "modal", call.value(5), 0, 1);
@@ -310,12 +307,12 @@ int16_t gts::GT_BufMoveEx(Call& call) {
   const double position = motion::Whole(call.value(2) * scale);
   const double velocity = call.value(3) * scale / 1000;
   const double acceleration = call.value(4) * scale / 1e6;
-  code = CheckSize(call, "pos in pulses", position, -gts::kPositionMax, gts::kPositionMax + 1);
+  code = CheckSize(call, "pos in pulses", position, -kPositionMax, kPositionMax + 1);
   if (code == vm::kOk) {
-    code = CheckSize(call, "vel in pulse/ms", velocity, gts::kAboveZero, gts::kRateBound);
+    code = CheckSize(call, "vel in pulse/ms", velocity, kAboveZero, kRateBound);
   }
   if (code == vm::kOk) {
-    code = CheckSize(call, "acc in pulse/ms^2", acceleration, gts::kAboveZero, gts::kRateBound);
+    code = CheckSize(call, "acc in pulse/ms^2", acceleration, kAboveZero, kRateBound);
   }
   if (code != vm::kOk) return code;
   if (CheckMode(call, NumberOf(call, 1), motion::ProfileMode::kTrap) != vm::kOk) {
@@ -325,7 +322,7 @@ int16_t gts::GT_BufMoveEx(Call& call) {
                          {position, velocity, acceleration});
 }
 
-int16_t gts::GT_SetUserSegNumEx(Call& call) {
+int16_t GT_SetUserSegNumEx(Call& call) {
   const int16_t code = CheckInitialised(call);
   if (code != vm::kOk) return code;
   LookAheadBuffer& buffer = BufferOf(call);
@@ -338,4 +335,4 @@ int16_t gts::GT_SetUserSegNumEx(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 LookAheadSetup& SetupOf(const Call& call) {
   return call.card.state<GtsState>().look_ahead[NumberOf(call)];
@@ -31,7 +31,7 @@ int16_t CheckSize(Call& call, std::string_view name, double value, double low, d
 }
 
 int16_t CheckNumbers(Call& call) {
-  const int16_t code = CheckWhole(call, "crd", call.value(0), 1, gts::kCrdMax);
+  const int16_t code = CheckWhole(call, "crd", call.value(0), 1, kCrdMax);
   if (code != vm::kOk) return code;
   for (size_t i = 1; i < call.arguments.size(); ++i) {
     if (call.command.parameters[i].name == "fifo") {
@@ -97,4 +97,4 @@ int16_t CheckDrained(Call& call) {
                                  FifoNumber(call), held));
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -9,7 +9,7 @@
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/gts_state.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// Codes of the module (manual of the multi-axis look-ahead, chapter 2). 101 and 106 cannot happen:
 /// no library has to be loaded, and 105 comes before 106.
@@ -49,4 +49,4 @@ int16_t CheckAuxiliaries(Call& call);
 /// 0, or 110 with the reason while a look-ahead of the command's buffer holds segments.
 int16_t CheckDrained(Call& call);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -3,7 +3,7 @@
 #include "gtcalls/gts/commands/bus_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 using motion::Axis;
 using motion::MotionState;
@@ -153,4 +153,4 @@ std::vector<size_t> SelectedProfiles(Call& call) {
   return selected;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

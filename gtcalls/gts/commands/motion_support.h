@@ -13,7 +13,7 @@
 #include "gtcalls/gts/limits.h"
 #include "motion/motion_core.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The axis, profile, encoder ... that argument `index` numbers, counted from 0.
 inline size_t NumberOf(const Call& call, size_t index = 0) {
@@ -81,4 +81,4 @@ int16_t ReadEach(const Call& call, Value value) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

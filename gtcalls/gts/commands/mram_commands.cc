@@ -2,7 +2,7 @@
 // Tested by tests/gtcalls/mram_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 Mram& MramOf(const Call& call) { return call.card.state<GtsState>().mram; }
@@ -34,7 +34,7 @@ int16_t CheckAccess(Call& call, int count) {
 
 }  // namespace
 
-int16_t gts::GT_SetMRAMData(Call& call) {
+int16_t GT_SetMRAMData(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(2));
   if (code != vm::kOk) return code;
   for (int i = 0; i < call.integer(2); ++i) {
@@ -44,7 +44,7 @@ int16_t gts::GT_SetMRAMData(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetMRAMData(Call& call) {
+int16_t GT_GetMRAMData(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(2));
   if (code != vm::kOk) return code;
   for (int i = 0; i < call.integer(2); ++i) {
@@ -53,7 +53,7 @@ int16_t gts::GT_GetMRAMData(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_StartAccessMRAM(Call& call) {
+int16_t GT_StartAccessMRAM(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(1));
   if (code != vm::kOk) return code;
   MramOf(call).Start(call.card.motion.now(), call.integer(0), call.integer(1),
@@ -61,14 +61,14 @@ int16_t gts::GT_StartAccessMRAM(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_StopAccessMRAM(Call& call) {
+int16_t GT_StopAccessMRAM(Call& call) {
   MramOf(call).Stop();
   return vm::kOk;
 }
 
-int16_t gts::GT_GetMRAMStatus(Call& call) {
+int16_t GT_GetMRAMStatus(Call& call) {
   call.Set(0, MramOf(call).busy() ? 0 : 1);
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

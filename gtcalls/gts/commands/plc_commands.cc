@@ -5,7 +5,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// TBindCounter.resetVarId of a counter that is never reset.
@@ -93,7 +93,7 @@ int16_t Add(Call& call, const PlcFunction& function) {
 
 // --- Commands --------------------------------------------------------------------------------
 
-int16_t gts::GT_BindDi(Call& call) {
+int16_t GT_BindDi(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, kInputWordLast)) return code;
   const motion::DiType type = *DiTypeOf(Prm(call, 0));
   if (const int16_t code = CheckPrm(call, 1, 1, DiWidth(type))) return code;
@@ -103,7 +103,7 @@ int16_t gts::GT_BindDi(Call& call) {
                            .reverse = Prm(call, 2) != 0});
 }
 
-int16_t gts::GT_BindDo(Call& call) {
+int16_t GT_BindDo(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, kOutputWordFirst, kOutputWordLast)) return code;
   const motion::DoType type = *DoTypeOf(Prm(call, 0));
   if (const int16_t code = CheckPrm(call, 1, 1, DoWidth(type))) return code;
@@ -113,7 +113,7 @@ int16_t gts::GT_BindDo(Call& call) {
                            .reverse = Prm(call, 2) != 0});
 }
 
-int16_t gts::GT_BindTimer(Call& call) {
+int16_t GT_BindTimer(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   if (const int16_t code = CheckPrm(call, 1, 0, INT32_MAX)) return code;
   const int input = Prm(call, 2);
@@ -123,7 +123,7 @@ int16_t gts::GT_BindTimer(Call& call) {
                               .delay_us = int64_t{Prm(call, 1)} * 1000});
 }
 
-int16_t gts::GT_BindCounter(Call& call) {
+int16_t GT_BindCounter(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   if (const int16_t code = CheckPrm(call, 1, 0, 2)) return code;
   for (const size_t member : {2U, 3U, 4U}) {
@@ -157,7 +157,7 @@ int16_t gts::GT_BindCounter(Call& call) {
                                 .last_input = IsOn(call, input)});
 }
 
-int16_t gts::GT_BindFlank(Call& call) {
+int16_t GT_BindFlank(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   const int input = Prm(call, 1);
   if (const int16_t code = CheckVariables(call, {input})) return code;
@@ -166,7 +166,7 @@ int16_t gts::GT_BindFlank(Call& call) {
                               .last_input = IsOn(call, input)});
 }
 
-int16_t gts::GT_BindSrff(Call& call) {
+int16_t GT_BindSrff(Call& call) {
   const int set = Prm(call, 0);
   const int reset = Prm(call, 1);
   if (const int16_t code = CheckVariables(call, {set, reset})) return code;
@@ -175,9 +175,9 @@ int16_t gts::GT_BindSrff(Call& call) {
                              .output = false});
 }
 
-int16_t gts::GT_UnbindVar(Call& call) {
+int16_t GT_UnbindVar(Call& call) {
   call.card.state<GtsState>().plc.Unbind(ThreadOf(call));
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

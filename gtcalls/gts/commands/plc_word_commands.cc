@@ -13,7 +13,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "vm/record.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 /// 0, or the refusal if a thread is executing the program.
@@ -34,7 +34,7 @@ WordFunction* FindWords(PlcBlocks& plc, int id) {
 }  // namespace
 
 /// Clears the program memory: the loaded program and the words received.
-int16_t gts::GT_ClearPlc(Call& call) {
+int16_t GT_ClearPlc(Call& call) {
   if (const int16_t code = CheckNoThreadActive(call)) return code;
   call.card.state<GtsState>().plc = {};
   call.card.machine.Load(nullptr);
@@ -42,7 +42,7 @@ int16_t gts::GT_ClearPlc(Call& call) {
 }
 
 /// Begins a function; one that exists already is emptied.
-int16_t gts::GT_LoadPlc(Call& call) {
+int16_t GT_LoadPlc(Call& call) {
   const int id = call.integer(0);
   const int type = call.integer(1);
   if (id < 1 || id > vm::kFunctionMax) {
@@ -71,7 +71,7 @@ int16_t gts::GT_LoadPlc(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_LoadPlcCommand(Call& call) {
+int16_t GT_LoadPlcCommand(Call& call) {
   PlcBlocks& plc = call.card.state<GtsState>().plc;
   WordFunction* function = FindWords(plc, call.integer(0));
   if (function == nullptr) {
@@ -137,4 +137,4 @@ int16_t LinkPendingWords(Call& call, int function_id) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -6,27 +6,27 @@
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/profile_modes.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 // --- Profiles --------------------------------------------------------------------------------
 
-int16_t gts::GT_GetPrfPos(Call& call) {
+int16_t GT_GetPrfPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.position; });
 }
 
-int16_t gts::GT_GetPrfVel(Call& call) {
+int16_t GT_GetPrfVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.velocity; });
 }
 
-int16_t gts::GT_GetPrfAcc(Call& call) {
+int16_t GT_GetPrfAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.profile(i).now.acceleration; });
 }
 
-int16_t gts::GT_GetPrfMode(Call& call) {
-  return ReadEach(call, [&](size_t i) { return GtsModeNumber(call.card.motion.profile(i).mode); });
+int16_t GT_GetPrfMode(Call& call) {
+  return ReadEach(call, [&](size_t i) { return ModeNumber(call.card.motion.profile(i).mode); });
 }
 
-int16_t gts::GT_SetPrfPos(Call& call) {
+int16_t GT_SetPrfPos(Call& call) {
   const int16_t code = CheckAtRest(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetProfilePosition(NumberOf(call), call.value(1));
   return code;
@@ -34,33 +34,33 @@ int16_t gts::GT_SetPrfPos(Call& call) {
 
 // --- Axes ------------------------------------------------------------------------------------
 
-int16_t gts::GT_GetAxisPrfPos(Call& call) {
+int16_t GT_GetAxisPrfPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).profile.position; });
 }
 
-int16_t gts::GT_GetAxisPrfVel(Call& call) {
+int16_t GT_GetAxisPrfVel(Call& call) {
   return ReadEach(call,
                   [&](size_t i) { return call.card.motion.axis(i).profile.FilteredVelocity(); });
 }
 
-int16_t gts::GT_GetAxisPrfAcc(Call& call) {
+int16_t GT_GetAxisPrfAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).profile.acceleration; });
 }
 
-int16_t gts::GT_GetAxisEncPos(Call& call) {
+int16_t GT_GetAxisEncPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).encoder.position; });
 }
 
-int16_t gts::GT_GetAxisEncVel(Call& call) {
+int16_t GT_GetAxisEncVel(Call& call) {
   return ReadEach(call,
                   [&](size_t i) { return call.card.motion.axis(i).encoder.FilteredVelocity(); });
 }
 
-int16_t gts::GT_GetAxisEncAcc(Call& call) {
+int16_t GT_GetAxisEncAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.axis(i).encoder.acceleration; });
 }
 
-int16_t gts::GT_GetAxisError(Call& call) {
+int16_t GT_GetAxisError(Call& call) {
   return ReadEach(call, [&](size_t i) {
     const motion::Axis& axis = call.card.motion.axis(i);
     return axis.profile.position - axis.encoder.position;
@@ -82,7 +82,7 @@ void SynchMembers(const Call& call, size_t crd) {
 
 }  // namespace
 
-int16_t gts::GT_SynchAxisPos(Call& call) {
+int16_t GT_SynchAxisPos(Call& call) {
   const std::vector<size_t> axes = SelectedProfiles(call);
   const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, BitWord(call.value(0))));
   if (axes.empty() && crds.empty()) return vm::kRefused;
@@ -92,7 +92,7 @@ int16_t gts::GT_SynchAxisPos(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_ZeroPos(Call& call) {
+int16_t GT_ZeroPos(Call& call) {
   const size_t first = NumberOf(call);
   const size_t end = first + static_cast<size_t>(call.integer(1));
   for (size_t axis = first; axis < end; ++axis) {
@@ -106,13 +106,13 @@ int16_t gts::GT_ZeroPos(Call& call) {
 
 // --- Encoders --------------------------------------------------------------------------------
 
-int16_t gts::GT_GetEncPos(Call& call) {
+int16_t GT_GetEncPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.encoder(i).position; });
 }
 
 /// Subtracts the counts of the last cycle from the current position, so that setting the position
 /// does not appear as a movement.
-int16_t gts::GT_GetEncPosPre(Call& call) {
+int16_t GT_GetEncPosPre(Call& call) {
   const double cycle_ms = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
   return ReadEach(call, [&](size_t i) {
     const motion::Encoder& encoder = call.card.motion.encoder(i);
@@ -120,13 +120,13 @@ int16_t gts::GT_GetEncPosPre(Call& call) {
   });
 }
 
-int16_t gts::GT_GetEncVel(Call& call) {
+int16_t GT_GetEncVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.encoder(i).velocity; });
 }
 
-int16_t gts::GT_SetEncPos(Call& call) {
+int16_t GT_SetEncPos(Call& call) {
   call.card.motion.SetEncoderPosition(NumberOf(call), call.value(1));
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -4,7 +4,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ProfileMode;
@@ -14,11 +14,13 @@ int16_t CheckPt(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode
 
 PtMode& PtOf(const Call& call) { return ChangeProfile(call).pt; }
 
-size_t BufferOf(const Call& call, size_t index) { return static_cast<size_t>(call.integer(index)); }
+size_t PtBufferOf(const Call& call, size_t index) {
+  return static_cast<size_t>(call.integer(index));
+}
 
 }  // namespace
 
-int16_t gts::GT_PrfPt(Call& call) {
+int16_t GT_PrfPt(Call& call) {
   const int16_t code = ChooseMode(call, NumberOf(call), ProfileMode::kPt);
   if (code == vm::kOk) PtOf(call).SetDynamic(call.integer(1) != 0);
   return code;
@@ -26,7 +28,7 @@ int16_t gts::GT_PrfPt(Call& call) {
 
 // --- Buffers ---------------------------------------------------------------------------------
 
-int16_t gts::GT_SetPtMemory(Call& call) {
+int16_t GT_SetPtMemory(Call& call) {
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kPt);
   if (code != vm::kOk) return code;
   PtMode& pt = PtOf(call);
@@ -43,16 +45,16 @@ int16_t gts::GT_SetPtMemory(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetPtMemory(Call& call) {
+int16_t GT_GetPtMemory(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).large_memory ? 1 : 0);
   return code;
 }
 
-int16_t gts::GT_PtSpace(Call& call) {
+int16_t GT_PtSpace(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) {
-    call.Set(1, static_cast<double>(PtOf(call).Space(BufferOf(call, 2))));
+    call.Set(1, static_cast<double>(PtOf(call).Space(PtBufferOf(call, 2))));
   }
   return code;
 }
@@ -87,27 +89,27 @@ int16_t Append(Call& call, size_t buffer, int32_t number) {
 
 }  // namespace
 
-int16_t gts::GT_PtData(Call& call) { return Append(call, BufferOf(call, 4), 0); }
+int16_t GT_PtData(Call& call) { return Append(call, PtBufferOf(call, 4), 0); }
 
-int16_t gts::GT_PtDataWN(Call& call) { return Append(call, BufferOf(call, 5), call.integer(4)); }
+int16_t GT_PtDataWN(Call& call) { return Append(call, PtBufferOf(call, 5), call.integer(4)); }
 
-int16_t gts::GT_PtGetSegNum(Call& call) {
+int16_t GT_PtGetSegNum(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).number);
   return code;
 }
 
-int16_t gts::GT_GetPtRemainder(Call& call) {
+int16_t GT_GetPtRemainder(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, static_cast<double>(PtOf(call).Remainder()));
   return code;
 }
 
-int16_t gts::GT_PtClear(Call& call) {
+int16_t GT_PtClear(Call& call) {
   const int16_t code = CheckPt(call);
   if (code != vm::kOk) return code;
   PtMode& pt = PtOf(call);
-  const size_t buffer = BufferOf(call, 1);
+  const size_t buffer = PtBufferOf(call, 1);
   if (pt.running && (pt.dynamic || pt.run_buffer == buffer)) {
     return call.Refuse(
         vm::kRefused,
@@ -120,19 +122,19 @@ int16_t gts::GT_PtClear(Call& call) {
 
 // --- Loops and start -------------------------------------------------------------------------
 
-int16_t gts::GT_SetPtLoop(Call& call) {
+int16_t GT_SetPtLoop(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) PtOf(call).loop_target = call.integer(1);
   return code;
 }
 
-int16_t gts::GT_GetPtLoop(Call& call) {
+int16_t GT_GetPtLoop(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).loop_count);
   return code;
 }
 
-int16_t gts::GT_PtStart(Call& call) {
+int16_t GT_PtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   const uint32_t option = BitWord(call.value(1));
@@ -156,4 +158,4 @@ int16_t gts::GT_PtStart(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

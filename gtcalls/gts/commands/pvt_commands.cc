@@ -9,7 +9,7 @@
 
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ContinuousRow;
@@ -21,7 +21,7 @@ using motion::PvtTablePointer;
 /// Assumptions: limits of the arrays' elements; the manual gives one only for positions.
 constexpr double kTimeMax = 2147483647;
 constexpr double kVelocityMax = 32767;
-constexpr double kElementAccelerationMin = gts::kAboveZero;
+constexpr double kElementAccelerationMin = kAboveZero;
 constexpr double kElementAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }
@@ -61,7 +61,7 @@ bool CheckVelocities(Call& call, size_t index, size_t count) {
   return CheckElements(call, index, count, -kVelocityMax, kVelocityMax);
 }
 bool CheckPositions(Call& call, size_t index, size_t count) {
-  return CheckElements(call, index, count, -gts::kPositionMax, gts::kPositionMax);
+  return CheckElements(call, index, count, -kPositionMax, kPositionMax);
 }
 bool CheckPercents(Call& call, size_t index, size_t count) {
   return CheckElements(call, index, count, 0, 100);
@@ -97,11 +97,11 @@ std::span<const double> Elements(const Call& call, size_t index, size_t count) {
 /// Stores the table under the number in argument 0, unless it is too large. A motion in progress
 /// keeps the table with which it started.
 int16_t Fill(Call& call, PvtTable table) {
-  if (table.slots() > size_t{gts::kPvtPointMax}) {
+  if (table.slots() > size_t{kPvtPointMax}) {
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("the description takes {0} units of storage; a table has {1}",
                                    "该描述占用 {0} 个存储空间；每个数据表只有 {1} 个",
-                                   table.slots(), gts::kPvtPointMax));
+                                   table.slots(), kPvtPointMax));
   }
   TablesOf(call)[NumberOf(call)] = std::make_shared<const PvtTable>(std::move(table));
   return vm::kOk;
@@ -120,11 +120,11 @@ int16_t FillFromVelocities(Call& call, size_t begin_velocities, size_t end_veloc
 
 }  // namespace
 
-int16_t gts::GT_PvtTable(Call& call) { return FillFromVelocities(call, 4, 4); }
+int16_t GT_PvtTable(Call& call) { return FillFromVelocities(call, 4, 4); }
 
-int16_t gts::GT_PvtTableEx(Call& call) { return FillFromVelocities(call, 4, 5); }
+int16_t GT_PvtTableEx(Call& call) { return FillFromVelocities(call, 4, 5); }
 
-int16_t gts::GT_PvtTableComplete(Call& call) {
+int16_t GT_PvtTableComplete(Call& call) {
   const size_t count = CountOf(call, 1);
   if (!CheckPoints(call, 2, 3, count) || !CheckValue(call, 7, -kVelocityMax, kVelocityMax) ||
       !CheckValue(call, 8, -kVelocityMax, kVelocityMax)) {
@@ -142,7 +142,7 @@ int16_t gts::GT_PvtTableComplete(Call& call) {
   return code;
 }
 
-int16_t gts::GT_PvtTablePercent(Call& call) {
+int16_t GT_PvtTablePercent(Call& call) {
   const size_t count = CountOf(call, 1);
   if (!CheckPoints(call, 2, 3, count) || !CheckPercents(call, 4, count) ||
       !CheckValue(call, 5, -kVelocityMax, kVelocityMax)) {
@@ -152,7 +152,7 @@ int16_t gts::GT_PvtTablePercent(Call& call) {
                                             Elements(call, 4, count), call.value(5)));
 }
 
-int16_t gts::GT_PvtPercentCalculate(Call& call) {
+int16_t GT_PvtPercentCalculate(Call& call) {
   const size_t count = CountOf(call, 0);
   if (!CheckPoints(call, 1, 2, count) || !CheckPercents(call, 3, count) ||
       !CheckValue(call, 4, -kVelocityMax, kVelocityMax)) {
@@ -197,13 +197,13 @@ std::vector<ContinuousRow> ContinuousRows(Call& call, size_t first, size_t count
 
 }  // namespace
 
-int16_t gts::GT_PvtTableContinuous(Call& call) {
+int16_t GT_PvtTableContinuous(Call& call) {
   const std::vector<ContinuousRow> rows = ContinuousRows(call, 2, CountOf(call, 1));
   if (rows.empty() || !CheckValue(call, 8, 0, kTimeMax)) return vm::kBadParameter;
   return Fill(call, motion::PvtFromLimits(rows, call.value(8)));
 }
 
-int16_t gts::GT_PvtContinuousCalculate(Call& call) {
+int16_t GT_PvtContinuousCalculate(Call& call) {
   const std::vector<ContinuousRow> rows = ContinuousRows(call, 1, CountOf(call, 0));
   if (rows.empty()) return vm::kBadParameter;
   const auto times = motion::ContinuousTimes(rows);
@@ -213,15 +213,15 @@ int16_t gts::GT_PvtContinuousCalculate(Call& call) {
 
 // --- Motion ----------------------------------------------------------------------------------
 
-int16_t gts::GT_PrfPvt(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kPvt); }
+int16_t GT_PrfPvt(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kPvt); }
 
-int16_t gts::GT_SetPvtLoop(Call& call) {
+int16_t GT_SetPvtLoop(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code == vm::kOk) PvtOf(call).loop_target = call.integer(1);
   return code;
 }
 
-int16_t gts::GT_GetPvtLoop(Call& call) {
+int16_t GT_GetPvtLoop(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, PvtOf(call).loop_count);
@@ -241,7 +241,7 @@ int16_t RefuseEmpty(Call& call, size_t table) {
 
 }  // namespace
 
-int16_t gts::GT_PvtTableSelect(Call& call) {
+int16_t GT_PvtTableSelect(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const size_t table = NumberOf(call, 1);
@@ -251,7 +251,7 @@ int16_t gts::GT_PvtTableSelect(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_PvtStart(Call& call) {
+int16_t GT_PvtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   auto& states = call.card.motion.state().profiles;
@@ -271,7 +271,7 @@ int16_t gts::GT_PvtStart(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_PvtStatus(Call& call) {
+int16_t GT_PvtStatus(Call& call) {
   const size_t count = CountOf(call, 3);
   for (size_t i = 0; i < count; ++i) {
     const int16_t code = CheckPvt(call, NumberOf(call) + i);
@@ -285,4 +285,4 @@ int16_t gts::GT_PvtStatus(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

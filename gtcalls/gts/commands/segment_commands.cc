@@ -9,7 +9,7 @@
 #include "gtcalls/gts/numbers.h"
 #include "motion/paths/segment.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Coordinates;
@@ -98,14 +98,14 @@ constexpr double kArcType = 1;
 /// range.
 bool CheckData(Call& call, bool arc) {
   const std::span<double> cells = call.cells(1);
-  bool good = cells[kSegmentVelocityCell] >= gts::kAboveZero &&
-              cells[kSegmentVelocityCell] < gts::kRateBound &&
-              cells[kSegmentAccelerationCell] >= gts::kAboveZero &&
-              cells[kSegmentAccelerationCell] < gts::kRateBound && cells[kEndVelocityCell] >= 0 &&
-              cells[kEndVelocityCell] < gts::kRateBound;
+  bool good = cells[kSegmentVelocityCell] >= kAboveZero &&
+              cells[kSegmentVelocityCell] < kRateBound &&
+              cells[kSegmentAccelerationCell] >= kAboveZero &&
+              cells[kSegmentAccelerationCell] < kRateBound && cells[kEndVelocityCell] >= 0 &&
+              cells[kEndVelocityCell] < kRateBound;
   for (size_t i = 0; i < motion::kCrdDimensionMax; ++i) {
-    good = good && cells[kPositionCell + i] >= -gts::kPositionMax &&
-           cells[kPositionCell + i] <= gts::kPositionMax;
+    good = good && cells[kPositionCell + i] >= -kPositionMax &&
+           cells[kPositionCell + i] <= kPositionMax;
   }
   if (arc) {
     good = good && cells[kPlaneCell] >= 0 && cells[kPlaneCell] <= 2 && cells[kDirectionCell] >= 0 &&
@@ -171,7 +171,7 @@ int16_t FlushLookAhead(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_CrdData(Call& call) {
+int16_t GT_CrdData(Call& call) {
   if (!call.given(1)) return FlushLookAhead(call);
   const double type = call.cells(1)[0];
   if (type == kLineType || type == kArcType) return AppendData(call, type == kArcType);
@@ -180,10 +180,10 @@ int16_t gts::GT_CrdData(Call& call) {
                                  "motionType 为 {0}；支持 0（直线）和 1（圆弧）", type));
 }
 
-int16_t gts::GT_CrdDataCircle(Call& call) { return AppendData(call, true); }
+int16_t GT_CrdDataCircle(Call& call) { return AppendData(call, true); }
 
 #define SEGMENT(name) \
-  int16_t gts::name(Call& call) { return AppendSegment(call); }
+  int16_t name(Call& call) { return AppendSegment(call); }
 SEGMENT(GT_LnXY)
 SEGMENT(GT_LnXYOverride2)
 SEGMENT(GT_LnXYWN)
@@ -260,4 +260,4 @@ SEGMENT(GT_HelixZXRYWN)
 SEGMENT(GT_HelixZXRYOverride2WN)
 #undef SEGMENT
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ArcPlane;
@@ -78,4 +78,4 @@ std::optional<motion::Segment> ShapeOf(const motion::Coordinates& start,
   return motion::MakeLine(start, request.end);
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

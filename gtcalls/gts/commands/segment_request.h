@@ -11,7 +11,7 @@
 #include "gtcalls/card.h"
 #include "motion/paths/segment.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
 /// The data of a segment command.
 struct SegmentRequest {
@@ -42,4 +42,4 @@ std::optional<motion::Segment> ShapeOf(const motion::Coordinates& start,
                                        const SegmentRequest& request,
                                        double tolerance = motion::kArcTolerance);
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

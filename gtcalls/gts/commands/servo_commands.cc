@@ -6,7 +6,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/defaults.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::Control;
@@ -27,7 +27,7 @@ PidSet& SetOf(const Call& call) {
 
 // --- Mode ------------------------------------------------------------------------------------
 
-int16_t gts::GT_CtrlMode(Call& call) {
+int16_t GT_CtrlMode(Call& call) {
   const size_t axis = NumberOf(call);
   const motion::MotionState& state = call.card.motion.state();
   const bool closed = call.integer(1) == kClosedLoopMode;
@@ -68,7 +68,7 @@ enum PidCell : size_t {
 
 }  // namespace
 
-int16_t gts::GT_SetPid(Call& call) {
+int16_t GT_SetPid(Call& call) {
   const std::span<double> pid = call.cells(2);
   for (size_t i = kKp; i <= kOutputLimit; ++i) {
     const bool gain = i <= kKaff;
@@ -92,7 +92,7 @@ int16_t gts::GT_SetPid(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetPid(Call& call) {
+int16_t GT_GetPid(Call& call) {
   const PidSet& set = SetOf(call);
   call.Set(2, set.kp, kKp);
   call.Set(2, set.ki, kKi);
@@ -105,23 +105,23 @@ int16_t gts::GT_GetPid(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetControlFilter(Call& call) {
+int16_t GT_SetControlFilter(Call& call) {
   ControlOf(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetControlFilter(Call& call) {
+int16_t GT_GetControlFilter(Call& call) {
   call.Set(1, ControlOf(call).selected + 1);
   return vm::kOk;
 }
 
-int16_t gts::GT_SetKvffFilter(Call& call) {
+int16_t GT_SetKvffFilter(Call& call) {
   SetOf(call).kvff_filter = static_cast<int16_t>(call.integer(2));
   SetOf(call).kvff_acc_max = call.value(3);
   return vm::kOk;
 }
 
-int16_t gts::GT_GetKvffFilter(Call& call) {
+int16_t GT_GetKvffFilter(Call& call) {
   call.Set(2, SetOf(call).kvff_filter);
   call.Set(3, SetOf(call).kvff_acc_max);
   return vm::kOk;
@@ -129,17 +129,17 @@ int16_t gts::GT_GetKvffFilter(Call& call) {
 
 // --- Following error and encoder check -------------------------------------------------------
 
-int16_t gts::GT_SetPosErr(Call& call) {
+int16_t GT_SetPosErr(Call& call) {
   ControlOf(call).error_limit = static_cast<int64_t>(call.value(1));
   return vm::kOk;
 }
 
-int16_t gts::GT_GetPosErr(Call& call) {
+int16_t GT_GetPosErr(Call& call) {
   call.Set(1, static_cast<double>(ControlOf(call).error_limit));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetEncResponseCheck(Call& call) {
+int16_t GT_SetEncResponseCheck(Call& call) {
   motion::ResponseCheck& check = ControlOf(call).check;
   check.threshold = static_cast<int16_t>(call.integer(1));
   check.min_velocity = call.value(2);
@@ -147,7 +147,7 @@ int16_t gts::GT_SetEncResponseCheck(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetEncResponseCheck(Call& call) {
+int16_t GT_GetEncResponseCheck(Call& call) {
   const motion::ResponseCheck& check = ControlOf(call).check;
   call.Set(1, check.threshold);
   call.Set(2, check.min_velocity);
@@ -165,7 +165,7 @@ int16_t SwitchCheck(Call& call, bool on) {
 
 }  // namespace
 
-int16_t gts::GT_EnableEncResponseCheck(Call& call) { return SwitchCheck(call, true); }
-int16_t gts::GT_DisableEncResponseCheck(Call& call) { return SwitchCheck(call, false); }
+int16_t GT_EnableEncResponseCheck(Call& call) { return SwitchCheck(call, true); }
+int16_t GT_DisableEncResponseCheck(Call& call) { return SwitchCheck(call, false); }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

@@ -5,7 +5,7 @@
 
 #include "gtcalls/gts/commands/commands.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using vm::ThreadRun;
@@ -62,7 +62,7 @@ Message WhyNotBound(const Call& call, int16_t code) {
 
 }  // namespace
 
-int16_t gts::GT_Bind(Call& call) {
+int16_t GT_Bind(Call& call) {
   if (const int16_t code = LinkPendingWords(call, call.integer(1)); code != vm::kOk) return code;
   const int16_t code = call.card.machine.Bind(call.integer(0), call.integer(1), call.integer(2));
   return code == vm::kOk ? code : call.Refuse(code, WhyNotBound(call, code));
@@ -70,22 +70,22 @@ int16_t gts::GT_Bind(Call& call) {
 
 // --- Running --------------------------------------------------------------------------------
 
-int16_t gts::GT_RunThread(Call& call) {
+int16_t GT_RunThread(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.Run(call.integer(0)), before);
 }
 
-int16_t gts::GT_StopThread(Call& call) {
+int16_t GT_StopThread(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.StopThread(call.integer(0)), before);
 }
 
-int16_t gts::GT_PauseThread(Call& call) {
+int16_t GT_PauseThread(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.Pause(call.integer(0)), before);
 }
 
-int16_t gts::GT_StepThread(Call& call) {
+int16_t GT_StepThread(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   const int16_t code = call.card.machine.Step(call.integer(0));
   if (code == vm::kRefused && before.run == ThreadRun::kPaused) {
@@ -95,7 +95,7 @@ int16_t gts::GT_StepThread(Call& call) {
   return Answer(call, code, before);
 }
 
-int16_t gts::GT_RunThreadToBreakpoint(Call& call) {
+int16_t GT_RunThreadToBreakpoint(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   const int16_t code = call.card.machine.RunToBreakpoint(call.integer(0), call.integer(1));
   if (code == vm::kBadParameter) {
@@ -105,7 +105,7 @@ int16_t gts::GT_RunThreadToBreakpoint(Call& call) {
   return Answer(call, code, before);
 }
 
-int16_t gts::GT_RunThreadPeriod(Call& call) {
+int16_t GT_RunThreadPeriod(Call& call) {
   const ThreadState before = ThreadStateOf(call);
   const int milliseconds = call.integer(1);
   return Answer(call,
@@ -130,7 +130,7 @@ double MsFromCycles(const Call& call, int64_t cycles) {
 
 }  // namespace
 
-int16_t gts::GT_GetThreadSts(Call& call) {
+int16_t GT_GetThreadSts(Call& call) {
   const ThreadState& state = ThreadStateOf(call);
   call.Set(1, RunCode(state.run), 0);
   call.Set(1, state.error, 1);
@@ -139,7 +139,7 @@ int16_t gts::GT_GetThreadSts(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetThreadTime(Call& call) {
+int16_t GT_GetThreadTime(Call& call) {
   const ThreadState& state = ThreadStateOf(call);
   call.Set(1, MsFromCycles(call, state.period_cycles));
   call.Set(2, static_cast<double>(state.executed) / kStatementsPerMs);
@@ -150,7 +150,7 @@ int16_t gts::GT_GetThreadTime(Call& call) {
 /// TThreadStatus. Assumption: the public header only gives the names of the members. `address` has
 /// no counterpart here and is 0, `link` says whether the thread is bound, `count` counts overruns
 /// of a periodic thread.
-int16_t gts::GT_GetThread(Call& call) {
+int16_t GT_GetThread(Call& call) {
   const ThreadState& state = ThreadStateOf(call);
   const vm::Machine& machine = call.card.machine;
   const bool bound = state.run != ThreadRun::kUnbound;
@@ -209,4 +209,4 @@ Message DescribeTakenPage(int page) {
                      "数据页 {0} 已属于另一个已绑定的线程；应选择其他数据页", page);
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

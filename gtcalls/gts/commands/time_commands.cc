@@ -5,9 +5,9 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 
-int16_t gts::GT_GetClock(Call& call) {
+int16_t GT_GetClock(Call& call) {
   const motion::MotionCore& core = call.card.motion;
   call.Set(0, UnsignedLong(core.ClockMs()));
   // pLoop is "for internal use": assumed to count profile cycles since GT_Reset.
@@ -15,25 +15,25 @@ int16_t gts::GT_GetClock(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetClockHighPrecision(Call& call) {
+int16_t GT_GetClockHighPrecision(Call& call) {
   call.Set(0, UnsignedLong(call.card.motion.ClockUs() / kFineClockUs));
   return vm::kOk;
 }
 
-int16_t gts::GT_Delay(Call& call) {
+int16_t GT_Delay(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.Delay(call.caller, CyclesFromMs(call, call.integer(0)));
   return vm::kOk;
 }
 
 /// Assumption: the parameter is a number of profile cycles, as its name in one public header says.
-int16_t gts::GT_DelayHighPrecision(Call& call) {
+int16_t GT_DelayHighPrecision(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.Delay(call.caller, call.integer(0));
   return vm::kOk;
 }
 
-int16_t gts::GT_SetDataPage(Call& call) {
+int16_t GT_SetDataPage(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   const int page = call.integer(0);
   const int16_t code = call.card.machine.SwitchPage(call.caller, page);
@@ -42,7 +42,7 @@ int16_t gts::GT_SetDataPage(Call& call) {
 
 /// Assumption: the vendor's compiler knows the name. That the command takes a variable and a value
 /// and waits until they are equal is inferred from it.
-int16_t gts::GT_WaitForVarEq(Call& call) {
+int16_t GT_WaitForVarEq(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.WaitForValue(call.caller, call.arguments[0].slot, call.integer(1));
   return vm::kOk;
@@ -61,4 +61,4 @@ int64_t CyclesFromMs(const Call& call, int64_t milliseconds) {
   return (milliseconds * 1000 + cycle_us - 1) / cycle_us;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

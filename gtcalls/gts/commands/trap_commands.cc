@@ -2,14 +2,14 @@
 // Source: GTS manual 7.2, 7.3 and chapter 13. Tested by tests/gtcalls/trap_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using motion::ProfileMode;
 
 /// Assumption: limits of accelerations. The manual only says > 0; outside these limits a motion
 /// would last years, or the velocity would change by more than a double can represent accurately.
-constexpr double kAccelerationMin = gts::kAboveZero;
+constexpr double kAccelerationMin = kAboveZero;
 constexpr double kAccelerationMax = 1e9;
 
 /// Maximum of TTrapPrm.velStart, as for velocities.
@@ -34,16 +34,16 @@ bool CheckAccelerations(Call& call) {
 
 }  // namespace
 
-int16_t gts::GT_PrfTrap(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kTrap); }
-int16_t gts::GT_PrfJog(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kJog); }
+int16_t GT_PrfTrap(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kTrap); }
+int16_t GT_PrfJog(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kJog); }
 
 // --- Trap ------------------------------------------------------------------------------------
 
-int16_t gts::GT_SetTrapPrm(Call& call) {
+int16_t GT_SetTrapPrm(Call& call) {
   const double start = call.cells(1)[2];
   const double smooth = call.cells(1)[3];
   if (!CheckAccelerations(call) || !CheckMember(call, "velStart", start, 0, kStartVelocityMax) ||
-      !CheckMember(call, "smoothTime", smooth, 0, gts::kSmoothTimeMax)) {
+      !CheckMember(call, "smoothTime", smooth, 0, kSmoothTimeMax)) {
     return vm::kBadParameter;
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
@@ -53,7 +53,7 @@ int16_t gts::GT_SetTrapPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetTrapPrm(Call& call) {
+int16_t GT_GetTrapPrm(Call& call) {
   const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code != vm::kOk) return code;
   const motion::TrapParameters& parameters = ProfileOf(call).trap.parameters;
@@ -64,14 +64,14 @@ int16_t gts::GT_GetTrapPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_SetPos(Call& call) {
+int16_t GT_SetPos(Call& call) {
   int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetTarget(NumberOf(call), call.integer(1));
   return code;
 }
 
-int16_t gts::GT_GetPos(Call& call) {
+int16_t GT_GetPos(Call& call) {
   const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) call.Set(1, ProfileOf(call).trap.target);
   return code;
@@ -79,7 +79,7 @@ int16_t gts::GT_GetPos(Call& call) {
 
 // --- Jog -------------------------------------------------------------------------------------
 
-int16_t gts::GT_SetJogPrm(Call& call) {
+int16_t GT_SetJogPrm(Call& call) {
   const double smooth = call.cells(1)[2];
   if (!CheckAccelerations(call)) return vm::kBadParameter;
   if (!(smooth >= 0 && smooth < 1)) {
@@ -92,7 +92,7 @@ int16_t gts::GT_SetJogPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetJogPrm(Call& call) {
+int16_t GT_GetJogPrm(Call& call) {
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
   if (code != vm::kOk) return code;
   const motion::JogParameters& parameters = ProfileOf(call).jog.parameters;
@@ -120,14 +120,14 @@ int16_t CheckUpdated(Call& call, size_t profile) {
 
 }  // namespace
 
-int16_t gts::GT_SetVel(Call& call) {
+int16_t GT_SetVel(Call& call) {
   int16_t code = CheckUpdated(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetVelocity(NumberOf(call), call.value(1));
   return code;
 }
 
-int16_t gts::GT_GetVel(Call& call) {
+int16_t GT_GetVel(Call& call) {
   const int16_t code = CheckUpdated(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const motion::Profile& profile = ProfileOf(call);
@@ -146,7 +146,7 @@ double DirectionOf(const motion::Profile& profile) {
 
 }  // namespace
 
-int16_t gts::GT_Update(Call& call) {
+int16_t GT_Update(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   for (const size_t i : profiles) {
@@ -161,4 +161,4 @@ int16_t gts::GT_Update(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts

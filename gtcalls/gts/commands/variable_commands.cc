@@ -9,7 +9,7 @@
 
 #include "gtcalls/gts/commands/commands.h"
 
-namespace oncard::gtcalls {
+namespace oncard::gtcalls::gts {
 namespace {
 
 using vm::DataType;
@@ -113,7 +113,7 @@ Message DescribeMisfit(const vm::SlotAddress& slot, double value) {
 
 }  // namespace
 
-int16_t gts::GT_SetVarValue(Call& call) {
+int16_t GT_SetVarValue(Call& call) {
   const Target target = TargetOf(call);
   const std::optional<Slots> slots = FindSlots(call, target);
   if (!slots) return vm::kBadParameter;
@@ -130,7 +130,7 @@ int16_t gts::GT_SetVarValue(Call& call) {
   return vm::kOk;
 }
 
-int16_t gts::GT_GetVarValue(Call& call) {
+int16_t GT_GetVarValue(Call& call) {
   const Target target = TargetOf(call);
   const std::optional<Slots> slots = FindSlots(call, target);
   if (!slots) return vm::kBadParameter;
@@ -168,4 +168,4 @@ std::optional<DataType> DeclaredType(const std::vector<Symbol>& symbols, int id)
   return std::nullopt;
 }
 
-}  // namespace oncard::gtcalls
+}  // namespace oncard::gtcalls::gts
