@@ -33,10 +33,10 @@ class RandomNumbers {
 };
 
 inline MotionConfig RandomConfig(RandomNumbers& random) {
-  constexpr int kAxisCounts[] = {4, 8, 12};
+  constexpr int kAxisCounts[] = {1, 2, 3, 4, 8, 12};
   constexpr int64_t kTimes[][2] = {{250, 125}, {250, 125}, {1000, 125}, {500, 250}, {375, 125}};
   MotionConfig config;
-  config.axis_count = kAxisCounts[random.Below(3)];
+  config.axis_count = kAxisCounts[random.Below(6)];
   const auto& times = kTimes[random.Below(5)];
   config.cycle_us = times[0];
   config.servo_us = times[1];
