@@ -50,7 +50,7 @@ struct AdvisedCommands {
   std::string_view gantry_error_limit = {};
   std::string_view append_segment = {};
   std::string_view buffered_move = {};  ///< moves another axis during a path
-  std::string_view buffered_gear = {};  ///< moves it in proportion to a segment
+  std::string_view buffered_gear = {};  ///< lets another axis follow a path
   std::string_view start_path = {};
   std::string_view look_ahead = {};
   std::string_view axis_look_ahead = {};  ///< the one that knows limits of each axis

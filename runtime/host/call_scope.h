@@ -1,11 +1,11 @@
-// Signals of a host and calls of libgts. A handler may call the card, as an emergency stop does,
-// and read clocks; it must not find the locks of libgts held by the thread that it has interrupted.
-// So a signal that arrives during a call waits until the call is over (host_handlers.cc), and a
-// sleep ends early for it, as a sleep of the operating system does. Where a signal cannot wait,
-// because it reports a fault or because its handler was installed without libgts, a call that finds
-// its thread inside another one is refused.
+// Signals of a host and its calls of a host library. A handler may call the card, as an emergency
+// stop does, and read clocks; it must not find the library's locks held by the thread that it has
+// interrupted. So a signal that arrives during a call waits until the call is over
+// (host_handlers.cc), and a sleep ends early for it, as a sleep of the operating system does. Where
+// a signal cannot wait, because it reports a fault or because its handler was installed without the
+// library, a call that finds its thread inside another one is refused.
 //
-// Every function that takes a lock of libgts for a host opens a CallScope before.
+// Every function that takes a lock of the library for a host opens a CallScope before.
 // Tested by tests/tools/exec_signals_test.cc.
 #pragma once
 
@@ -68,7 +68,7 @@ class WakingSignals {
   ~WakingSignals() { call_state.asleep_on = nullptr; }
 };
 
-/// The C library's sigaction(), which the one of libgts covers.
+/// The C library's sigaction(), which the one of the host library covers.
 int SystemSigaction(int number, const struct sigaction* wanted, struct sigaction* before);
 
 }  // namespace oncard::runtime

@@ -1,4 +1,4 @@
-// The cards of this process: the only state that libgts keeps outside its controllers.
+// The cards of this process: the only state that a host library keeps outside its controllers.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// sigaction() and signal() of a host that is linked with libgts: its handlers are entered through
-// RunOrHold(), which lets a signal wait while its thread is in a call (call_scope.h). The host does
-// not notice: it is told its own handlers. Signals that report a fault never wait.
+// sigaction() and signal() of a host that is linked with a host library: its handlers are entered
+// through RunOrHold(), which lets a signal wait while its thread is in a call (call_scope.h). The
+// host does not notice: it is told its own handlers. Signals that report a fault never wait.
 // Tested by tests/tools/exec_signals_test.cc.
 #include <dlfcn.h>
 #include <pthread.h>

@@ -1,5 +1,5 @@
-// Converts the structures of `gts.h` to cells and back. The functions are generated with `gts.h`
-// from the catalogue, so that the host's compiler determines the layout of members.
+// Converts the structures of a family's header to cells and back. The functions are generated with
+// the header from the catalogue, so that the host's compiler determines the layout of members.
 //
 // Cells are the scalars of a structure in the order of its members, nested structures and array
 // elements one by one; text and pointers are not cells (gtcalls::CellCount()).

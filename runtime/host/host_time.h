@@ -9,8 +9,8 @@ namespace oncard::runtime {
 /// The virtual time that reading a clock or the keyboard takes.
 inline constexpr int64_t kLookNs = 1000;
 
-/// By ONCARD_CLOCK as the library found it when it was loaded, or as GT_Open has read it since: the
-/// environment is not searched at each sleep, nor in a handler of a signal.
+/// By ONCARD_CLOCK as the library found it when it was loaded, or as the opening of a card has read
+/// it since: the environment is not searched at each sleep, nor in a handler of a signal.
 bool HostTimeIsVirtual();
 /// Reads ONCARD_CLOCK again.
 void ReadHostTimeSetting();

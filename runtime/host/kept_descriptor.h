@@ -1,6 +1,6 @@
-// A descriptor of libgts in a host. Its number is above those that a host gets. A host may
-// nevertheless close numbers that it does not know, and may then get ours for a file of its own: so
-// what a descriptor refers to is compared with what was opened.
+// A descriptor of the host library in a host. Its number is above those that a host gets. A host
+// may nevertheless close numbers that it does not know, and may then get ours for a file of its
+// own: so what a descriptor refers to is compared with what was opened.
 //
 // Linux only. Tested by tests/runtime/waiting_threads_test.cc and mapped_file_test.cc.
 #pragma once

@@ -1,5 +1,5 @@
-// Common parts of liboncard_host.so: access to the virtual time of libgts, the C library's own
-// functions, and overflow-free clocks and durations in nanoseconds.
+// Common parts of liboncard_host.so: access to the virtual time of the host library, the C
+// library's own functions, and overflow-free clocks and durations in nanoseconds.
 //
 // The library does not need the C++ library, so that it can be preloaded into any program.
 // Thread-safe.
@@ -33,7 +33,7 @@ Function* Original(const char* name) {
     return original;                                                                  \
   }()
 
-/// The functions of libgts (host_hooks.h).
+/// The functions of the host library (host_hooks.h).
 struct Hooks {
   decltype(oncard_host_time_ns)* time_ns;
   decltype(oncard_host_sleep_ns)* sleep_ns;
@@ -42,8 +42,8 @@ struct Hooks {
   decltype(oncard_host_wait_end)* wait_end;
 };
 
-/// Access to virtual time; NULL if this process does not use it: a process without libgts, such as
-/// a shell that starts the host, or with another clock.
+/// Access to virtual time; NULL if this process does not use it: a process without a host library,
+/// such as a shell that starts the host, or with another clock.
 const Hooks* VirtualHooks();
 
 /// The time of a clock at the start of virtual time; -1 for a clock that is not replaced.

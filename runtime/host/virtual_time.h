@@ -9,8 +9,8 @@
 //
 // Each sleeper has a futex of its own. The thread that falls asleep last lets time jump and wakes
 // only those that are due, all at once. Where another thread still works and waits later, without a
-// sleep, a helper notices: a thread of libgts that looks again and again while there are sleepers
-// and nothing changes.
+// sleep, a helper notices: a thread of the host library that looks again and again while there are
+// sleepers and nothing changes.
 //
 // A wait with a deadline for a condition, a lock or a descriptor is a sleeper too. It waits in the
 // operating system, so that it continues at once when the event occurs, but only in short slices,
