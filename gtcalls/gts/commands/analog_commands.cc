@@ -9,19 +9,26 @@ namespace {
 using motion::Adc;
 using motion::Dac;
 
-Dac& DacOf(const Call& call, int offset = 0) {
-  return call.card.motion.state().dacs[NumberOf(call) + static_cast<size_t>(offset)];
+const Dac& DacAt(const Call& call, size_t index) {
+  const motion::MotionCore& core = call.card.motion;
+  return core.state().dacs[index];
 }
-Adc& AdcOf(const Call& call, size_t index) { return call.card.motion.state().adcs[index]; }
+Dac& ChangeDac(const Call& call, size_t offset = 0) {
+  return call.card.motion.state().dacs[NumberOf(call) + offset];
+}
+const Adc& AdcAt(const Call& call, size_t index) {
+  return call.card.motion.part<&motion::MotionState::adcs>()[index];
+}
 
 int16_t CheckDac(Call& call, int offset) {
-  if (DacOf(call, offset).control < 0) return vm::kOk;
+  const Dac& dac = DacAt(call, NumberOf(call) + static_cast<size_t>(offset));
+  if (dac.control < 0) return vm::kOk;
   return call.Refuse(
       vm::kRefused,
       MakeMessage("analogue output {0} belongs to servo controller {1}; call GT_CtrlMode with mode "
                   "1 first",
                   "模拟量输出 {0} 由伺服控制器 {1} 控制；请先以模式 1 调用 GT_CtrlMode",
-                  call.integer(0) + offset, DacOf(call, offset).control + 1));
+                  call.integer(0) + offset, dac.control + 1));
 }
 
 }  // namespace
@@ -32,32 +39,33 @@ int16_t GT_SetDac(Call& call) {
     if (code != vm::kOk) return code;
   }
   for (int i = 0; i < call.integer(2); ++i) {
-    DacOf(call, i).value = call.cells(1)[static_cast<size_t>(i)];
+    const auto cell = static_cast<size_t>(i);
+    ChangeDac(call, cell).value = call.cells(1)[cell];
   }
   return vm::kOk;
 }
 
 int16_t GT_GetDac(Call& call) {
-  return ReadEach(call, [&](size_t i) { return call.card.motion.state().dacs[i].Output(); });
+  return ReadEach(call, [&](size_t i) { return DacAt(call, i).Output(); });
 }
 
 int16_t GT_SetMtrBias(Call& call) {
-  DacOf(call).bias = static_cast<int16_t>(call.integer(1));
+  ChangeDac(call).bias = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
 int16_t GT_GetMtrBias(Call& call) {
-  call.Set(1, DacOf(call).bias);
+  call.Set(1, DacAt(call, NumberOf(call)).bias);
   return vm::kOk;
 }
 
 int16_t GT_SetMtrLmt(Call& call) {
-  DacOf(call).limit = static_cast<int16_t>(call.integer(1));
+  ChangeDac(call).limit = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
 int16_t GT_GetMtrLmt(Call& call) {
-  call.Set(1, DacOf(call).limit);
+  call.Set(1, DacAt(call, NumberOf(call)).limit);
   return vm::kOk;
 }
 
@@ -78,17 +86,17 @@ int16_t CheckLastAdc(Call& call) {
 int16_t GT_GetAdc(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
-  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Volts(); });
+  return ReadEach(call, [&](size_t i) { return AdcAt(call, i).Volts(); });
 }
 
 int16_t GT_GetAdcValue(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
-  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Value(); });
+  return ReadEach(call, [&](size_t i) { return AdcAt(call, i).Value(); });
 }
 
 int16_t GT_SetAdcFilter(Call& call) {
-  AdcOf(call, NumberOf(call)).filter = static_cast<int16_t>(call.integer(1));
+  call.card.motion.state().adcs[NumberOf(call)].filter = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 

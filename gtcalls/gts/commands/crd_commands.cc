@@ -93,7 +93,7 @@ int16_t CheckParameters(Call& call) {
 }
 
 int16_t CheckCrdAtRest(Call& call, size_t crd) {
-  if (!call.card.motion.state().crds[crd].run.running) return vm::kOk;
+  if (!call.card.motion.part<&motion::MotionState::crds>()[crd].run.running) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("coordinate system {0} is moving, call GT_Stop with bit {1} and "
                                  "wait until GT_CrdStatus gives run 0",
@@ -160,8 +160,8 @@ int16_t GT_GetCrdPrm(Call& call) {
 int16_t GT_SetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  CrdOf(call).smooth_stop = call.value(1);
-  CrdOf(call).abrupt_stop = call.value(2);
+  ChangeCrd(call).smooth_stop = call.value(1);
+  ChangeCrd(call).abrupt_stop = call.value(2);
   return vm::kOk;
 }
 
@@ -175,7 +175,7 @@ int16_t GT_GetCrdStopDec(Call& call) {
 
 int16_t GT_SetCrdLmtStopMode(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code == vm::kOk) CrdOf(call).limit_stop.smooth = call.integer(1) != kAbruptStopType;
+  if (code == vm::kOk) ChangeCrd(call).limit_stop.smooth = call.integer(1) != kAbruptStopType;
   return code;
 }
 
@@ -205,7 +205,7 @@ int16_t GT_SetCrdSingleMaxVel(Call& call) {
     }
   }
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
-    CrdOf(call).axis_velocity_max[i] = call.cells(1)[i];
+    ChangeCrd(call).axis_velocity_max[i] = call.cells(1)[i];
   }
   return vm::kOk;
 }
@@ -233,7 +233,7 @@ namespace {
 int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
   if (!fifo.awaits_move) return vm::kOk;
   const auto profile = static_cast<size_t>(fifo.move.item);
-  const motion::Profile& awaited = call.card.motion.state().profiles[profile];
+  const motion::Profile& awaited = call.card.motion.profile(profile);
   const int16_t code = CheckMode(call, profile, ProfileMode::kTrap);
   return code != vm::kOk ? code
                          : CheckMayStart(call, profile, fifo.move.values[0] - awaited.now.position);
@@ -245,7 +245,7 @@ int16_t CheckStart(Call& call, size_t index, size_t number) {
   int16_t code = CheckCrd(call, index);
   if (code == vm::kOk) code = CheckCrdAtRest(call, index);
   if (code != vm::kOk) return code;
-  const Crd& crd = call.card.motion.state().crds[index];
+  const Crd& crd = call.card.motion.part<&motion::MotionState::crds>()[index];
   const CrdFifo& fifo = crd.fifos[number];
   if (!fifo.executing && !fifo.awaits_move && fifo.slots.empty()) {
     return call.Refuse(vm::kRefused,
@@ -335,8 +335,8 @@ namespace {
 int16_t SetRatio(Call& call, double Crd::*ratio) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  CrdOf(call).*ratio = call.value(1);
-  CrdOf(call).Replan(call.card.motion.now());
+  ChangeCrd(call).*ratio = call.value(1);
+  ChangeCrd(call).Replan(call.card.motion.now());
   return vm::kOk;
 }
 
@@ -351,7 +351,7 @@ int16_t GT_CrdClear(Call& call) {
     code = CheckCrdAtRest(call, NumberOf(call));
   }
   if (code != vm::kOk) return code;
-  CrdOf(call).Clear(FifoNumber(call));
+  ChangeCrd(call).Clear(FifoNumber(call));
   // The look-ahead of the buffer is empty as well, and begins where the axes are.
   BufferOf(call).auxiliaries = 0;
   BufferOf(call).has_start = false;
@@ -429,7 +429,7 @@ int16_t GT_GetUserTargetVel(Call& call) {
 
 int16_t GT_SetUserSegNum(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code == vm::kOk) FifoOf(call).user_number = call.integer(1);
+  if (code == vm::kOk) ChangeFifo(call).user_number = call.integer(1);
   return code;
 }
 
@@ -457,7 +457,7 @@ int16_t GT_InitLookAhead(Call& call) {
   }
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  motion::LookAhead& look_ahead = FifoOf(call).look_ahead;
+  motion::LookAhead& look_ahead = ChangeFifo(call).look_ahead;
   if (!FifoOf(call).Ahead().empty()) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("the look-ahead buffer holds {0} segments, call GT_CrdData with "
@@ -466,7 +466,7 @@ int16_t GT_InitLookAhead(Call& call) {
                                    "GT_CrdClear",
                                    FifoOf(call).Ahead().size()));
   }
-  FifoOf(call).planner.Reset();
+  ChangeFifo(call).planner.Reset();
   look_ahead.Clear();
   look_ahead.time = time;
   look_ahead.acceleration = acceleration;

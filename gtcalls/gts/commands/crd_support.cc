@@ -5,7 +5,7 @@
 namespace oncard::gtcalls::gts {
 
 int16_t CheckCrd(Call& call, size_t crd) {
-  if (call.card.motion.state().crds[crd].exists()) return vm::kOk;
+  if (call.card.motion.part<&motion::MotionState::crds>()[crd].exists()) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("coordinate system {0} has not been set up, call GT_SetCrdPrm",
                                  "坐标系 {0} 尚未建立，请调用 GT_SetCrdPrm", crd + 1));
@@ -69,7 +69,7 @@ int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coo
                                    "后重新发送该指令",
                                    FifoNumber(call), call.integer(0)));
   }
-  if (!slot.is_segment) FifoOf(call).Tail() = end;
+  if (!slot.is_segment) ChangeFifo(call).Tail() = end;
   return vm::kOk;
 }
 

@@ -9,8 +9,11 @@
 
 namespace oncard::gtcalls::gts {
 
-/// The coordinate system that argument 0 numbers.
-inline motion::Crd& CrdOf(const Call& call) {
+/// The coordinate system that argument 0 numbers, to read and to change it.
+inline const motion::Crd& CrdOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::crds>()[NumberOf(call)];
+}
+inline motion::Crd& ChangeCrd(const Call& call) {
   return call.card.motion.state().crds[NumberOf(call)];
 }
 
@@ -19,9 +22,14 @@ int16_t CheckCrd(Call& call, size_t crd);
 
 /// The argument with that name; the command must have it.
 size_t ArgumentIndex(const Call& call, std::string_view name);
-/// The FIFO that the command's last arguments name.
+/// The FIFO that the command's last arguments name, to read and to change it.
 size_t FifoNumber(const Call& call);
-inline motion::CrdFifo& FifoOf(const Call& call) { return CrdOf(call).fifos[FifoNumber(call)]; }
+inline const motion::CrdFifo& FifoOf(const Call& call) {
+  return CrdOf(call).fifos[FifoNumber(call)];
+}
+inline motion::CrdFifo& ChangeFifo(const Call& call) {
+  return ChangeCrd(call).fifos[FifoNumber(call)];
+}
 
 /// Where a segment appended now begins.
 motion::Coordinates PathEnd(const Call& call);

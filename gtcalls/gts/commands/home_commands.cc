@@ -33,7 +33,9 @@ enum HomeCell : size_t {
   kEscapeStep
 };
 
-Homing& HomingOf(const Call& call) { return call.card.motion.state().homing[NumberOf(call)]; }
+const Homing& HomingOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::homing>()[NumberOf(call)];
+}
 
 /// A member of THomePrm that has a range.
 struct Bound {
@@ -90,7 +92,7 @@ int16_t CheckMembers(Call& call, motion::HomeMode mode) {
 
 /// Refuses; GT_GetHomeStatus then also reports the reason.
 int16_t RefuseHoming(Call& call, HomeError error) {
-  Homing& homing = HomingOf(call);
+  Homing& homing = call.card.motion.state().homing[NumberOf(call)];
   if (!homing.running) homing.error = error;
   const size_t axis = NumberOf(call) + 1;
   switch (error) {

@@ -39,7 +39,7 @@ constexpr size_t kRelationCells = 35;
 constexpr double kFactorBound = 1e9;
 
 void DropPlanners(const Call& call) {
-  for (CrdFifo& fifo : CrdOf(call).fifos) fifo.planner.Reset();
+  for (CrdFifo& fifo : ChangeCrd(call).fifos) fifo.planner.Reset();
 }
 
 }  // namespace
@@ -291,11 +291,11 @@ PathLimits LimitsOf(const Call& call) {
 
 /// Begins a planner for the command's buffer.
 void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
-  CrdFifo& fifo = FifoOf(call);
+  CrdFifo& fifo = ChangeFifo(call);
   const motion::Coordinates start =
       fifo.Remaining() == 0 ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
   // The planner's path begins at rest, also after a segment with an end velocity.
-  if (!fifo.looks_ahead()) CrdOf(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
+  if (!fifo.looks_ahead()) ChangeCrd(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
   fifo.look_ahead.Clear();
   fifo.look_ahead.capacity = 0;
   fifo.planner.Emplace({.limits = limits, .capacity = static_cast<size_t>(window)});
@@ -324,7 +324,7 @@ int16_t GT_InitLookAheadEx(Call& call) {
   LookAheadBuffer& buffer = BufferOf(call);
   buffer.scale = call.cells(1)[kScaleCells];
   if (call.value(3) == 0) return vm::kOk;
-  CrdFifo& fifo = FifoOf(call);
+  CrdFifo& fifo = ChangeFifo(call);
   motion::VirtualRun& run = fifo.planner->virtual_run;
   run.on = true;
   run.cycle = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
@@ -381,7 +381,7 @@ int16_t GT_CrdDataEx(Call& call) {
   }
   if (code == vm::kOk) code = CheckInitialised(call);
   if (code != vm::kOk) return code;
-  if (FifoOf(call).Flush()) {
+  if (ChangeFifo(call).Flush()) {
     BufferOf(call).awaits_start = true;
     BufferOf(call).auxiliaries = 0;
     return vm::kOk;

@@ -157,7 +157,7 @@ int16_t FlushLookAhead(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotMixed(call);
   if (code != vm::kOk) return code;
-  if (FifoOf(call).Flush()) {
+  if (ChangeFifo(call).Flush()) {
     BufferOf(call).auxiliaries = 0;
     return code;
   }

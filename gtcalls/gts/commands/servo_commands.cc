@@ -18,10 +18,16 @@ constexpr int kClosedLoopMode = 0;
 /// Maximum of the gains; the minimum is 0 (GE manual).
 constexpr double kGainMax = 32767;
 
-Control& ControlOf(const Call& call) { return call.card.motion.state().controls[NumberOf(call)]; }
-PidSet& SetOf(const Call& call) {
-  return ControlOf(call).sets[static_cast<size_t>(call.integer(1) - 1)];
+/// The controller and its chosen set, to read and to change them.
+const Control& ControlOf(const Call& call) {
+  const motion::MotionCore& core = call.card.motion;
+  return core.state().controls[NumberOf(call)];
 }
+Control& ChangeControl(const Call& call) {
+  return call.card.motion.state().controls[NumberOf(call)];
+}
+const PidSet& SetOf(const Call& call) { return ControlOf(call).sets[NumberOf(call, 1)]; }
+PidSet& ChangeSet(const Call& call) { return ChangeControl(call).sets[NumberOf(call, 1)]; }
 
 }  // namespace
 
@@ -80,7 +86,7 @@ int16_t GT_SetPid(Call& call) {
                             : MakeMessage("{0} is {1}; at least 0 is expected",
                                           "{0} 为 {1}；不得小于 0", name, pid[i]));
   }
-  PidSet& set = SetOf(call);
+  PidSet& set = ChangeSet(call);
   set.kp = pid[kKp];
   set.ki = pid[kKi];
   set.kd = pid[kKd];
@@ -106,7 +112,7 @@ int16_t GT_GetPid(Call& call) {
 }
 
 int16_t GT_SetControlFilter(Call& call) {
-  ControlOf(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
+  ChangeControl(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
   return vm::kOk;
 }
 
@@ -116,8 +122,8 @@ int16_t GT_GetControlFilter(Call& call) {
 }
 
 int16_t GT_SetKvffFilter(Call& call) {
-  SetOf(call).kvff_filter = static_cast<int16_t>(call.integer(2));
-  SetOf(call).kvff_acc_max = call.value(3);
+  ChangeSet(call).kvff_filter = static_cast<int16_t>(call.integer(2));
+  ChangeSet(call).kvff_acc_max = call.value(3);
   return vm::kOk;
 }
 
@@ -130,7 +136,7 @@ int16_t GT_GetKvffFilter(Call& call) {
 // --- Following error and encoder check -------------------------------------------------------
 
 int16_t GT_SetPosErr(Call& call) {
-  ControlOf(call).error_limit = static_cast<int64_t>(call.value(1));
+  ChangeControl(call).error_limit = static_cast<int64_t>(call.value(1));
   return vm::kOk;
 }
 
@@ -140,7 +146,7 @@ int16_t GT_GetPosErr(Call& call) {
 }
 
 int16_t GT_SetEncResponseCheck(Call& call) {
-  motion::ResponseCheck& check = ControlOf(call).check;
+  motion::ResponseCheck& check = ChangeControl(call).check;
   check.threshold = static_cast<int16_t>(call.integer(1));
   check.min_velocity = call.value(2);
   check.time = call.integer(3) * kTimeUnitUs;
@@ -158,8 +164,8 @@ int16_t GT_GetEncResponseCheck(Call& call) {
 namespace {
 
 int16_t SwitchCheck(Call& call, bool on) {
-  ControlOf(call).check.on = on;
-  ControlOf(call).check.silent = false;
+  ChangeControl(call).check.on = on;
+  ChangeControl(call).check.silent = false;
   return vm::kOk;
 }
 
