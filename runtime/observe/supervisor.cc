@@ -250,7 +250,7 @@ void Supervisor::AfterCommand(const gtcalls::Call& call, int16_t code) {
 }
 
 void Supervisor::NoteStart(const gtcalls::Call& call, uint32_t profiles) {
-  motion::ForEachBit(profiles, controller_.motion().axis_count(), [&](size_t profile) {
+  motion::ForEachBit(profiles, core().axis_count(), [&](size_t profile) {
     Present().profiles[profile] = {
         .set_up = {}, .left_out = {}, .started = SiteOf(call), .stop = {}};
   });
@@ -264,10 +264,9 @@ void Supervisor::NoteAcknowledged(const gtcalls::Call& call) {
 }
 
 uint32_t Supervisor::Moving() const {
-  const motion::MotionCore& core = controller_.motion();
   uint32_t moving = 0;
-  for (size_t i = 0; i < core.axis_count(); ++i) {
-    if (core.state().profiles[i].now.moving) moving |= uint32_t{1} << i;
+  for (size_t i = 0; i < core().axis_count(); ++i) {
+    if (core().state().profiles[i].now.moving) moving |= uint32_t{1} << i;
   }
   return moving;
 }
@@ -290,7 +289,7 @@ void Supervisor::CheckTarget(const gtcalls::Call& call, size_t index) {
 }
 
 void Supervisor::CheckChange(const gtcalls::Call& call, size_t index) {
-  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  const motion::Profile& profile = core().profile(index);
   const History::Profile& known = history_->profiles[index];
   if (profile.mode != ProfileMode::kTrap || (moving_before_ >> index & 1) == 0) return;
   // A start by which another thread changes its own motion, or a velocity, is no new target.
@@ -310,7 +309,7 @@ void Supervisor::NoteSetUp(const gtcalls::Call& call, MotionRole role) {
   history.set_up |= uint32_t{1} << index;
   if (role == MotionRole::kVelocity) history.velocity_set |= uint32_t{1} << index;
   // In mode Trap a velocity alone leads nowhere.
-  const ProfileMode mode = controller_.motion().state().profiles[index].mode;
+  const ProfileMode mode = core().profile(index).mode;
   if (mode == ProfileMode::kTrap && role == MotionRole::kTarget) CheckTarget(call, index);
   const bool leads = role == MotionRole::kTarget || mode == ProfileMode::kJog;
   if (leads) history.profiles[index].set_up = SiteOf(call);
@@ -320,7 +319,7 @@ void Supervisor::NoteCommit(const gtcalls::Call& call) {
   const uint32_t mask = SelectedMask(call);
   CheckMask(call, mask);
   NoteLeftOut(call, mask);
-  motion::ForEachBit(mask, controller_.motion().axis_count(), [&](size_t profile) {
+  motion::ForEachBit(mask, core().axis_count(), [&](size_t profile) {
     CheckVelocity(call, profile);
     CheckChange(call, profile);
   });
@@ -328,7 +327,7 @@ void Supervisor::NoteCommit(const gtcalls::Call& call) {
 }
 
 bool Supervisor::AwaitsStart(size_t index) const {
-  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  const motion::Profile& profile = core().profile(index);
   if (!history_->profiles[index].set_up.known()) return false;
   switch (profile.mode) {
     case ProfileMode::kTrap:
@@ -345,7 +344,7 @@ void Supervisor::CheckMask(const gtcalls::Call& call, uint32_t mask) {
   Message text = MakeMessage("the mask starts axis {0}, for which nothing has been set",
                              "掩码启动了未设置过运动参数的轴 {0}", ListOf(mask));
   uint32_t waiting = 0;
-  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
+  for (size_t i = 0; i < core().axis_count(); ++i) {
     if (AwaitsStart(i)) waiting |= uint32_t{1} << i;
   }
   if (waiting != 0) {
@@ -360,7 +359,7 @@ void Supervisor::CheckMask(const gtcalls::Call& call, uint32_t mask) {
 }
 
 void Supervisor::NoteLeftOut(const gtcalls::Call& call, uint32_t mask) {
-  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
+  for (size_t i = 0; i < core().axis_count(); ++i) {
     const History::Profile& profile = history_->profiles[i];
     if ((mask >> i & 1) != 0 || profile.left_out.known() || !AwaitsStart(i)) continue;
     if (profile.set_up.caller == call.caller) Present().profiles[i].left_out = SiteOf(call);
@@ -371,7 +370,7 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
   const uint32_t bit = uint32_t{1} << index;
   // An axis that moves is stopped by a start with the velocity 0.
   if ((moving_before_ & bit) != 0) return;
-  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  const motion::Profile& profile = core().profile(index);
   const bool set = (history_->velocity_set & bit) != 0;
   const bool in_place =
       profile.mode == ProfileMode::kTrap
@@ -387,10 +386,9 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
 }
 
 void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
-  const motion::MotionCore& core = controller_.motion();
-  const std::optional<size_t> off = core.readings().AxisWithDriveOff(index);
+  const std::optional<size_t> off = core().readings().AxisWithDriveOff(index);
   // A profile without an axis, or one that only leads others, needs no drive.
-  if (!off || IsMaster(core.state(), index)) return;
+  if (!off || IsMaster(core().state(), index)) return;
   Add(CardWarning::kDriveOff, call, *off,
       MakeMessage("axis {0} moves while its drive is off, call {1} first",
                   "轴 {0} 在伺服使能关闭时运动，请先调用 {1}", *off + 1,
@@ -409,7 +407,7 @@ void Supervisor::NoteBeyondLimit(const motion::Happening& happening) {
 }
 
 void Supervisor::NoteMovedByPath(const motion::Happening& happening) {
-  const motion::MotionState& state = controller_.motion().state();
+  const motion::MotionState& state = core().state();
   bool leads = false;
   motion::ForEachBit(state.axes[happening.item].profile_map, motion::kAxisMax,
                      [&](size_t profile) { leads = leads || IsMaster(state, profile); });
@@ -425,11 +423,11 @@ void Supervisor::Happened(const motion::Happening& happening) {
       happening.kind == motion::HappeningKind::kTooSteep) {
     return NoteBeyondLimit(happening);
   }
-  if (!StopsAxis(controller_.motion(), happening)) return;
+  if (!StopsAxis(core(), happening)) return;
   if (history_->profiles[happening.item].stop) return;
   History::Profile& profile = Present().profiles[happening.item];
   profile.stop = happening;
-  profile.stopped_us = controller_.motion().now();
+  profile.stopped_us = core().now();
 }
 
 void Supervisor::Overran(int number) {
@@ -459,8 +457,7 @@ void Supervisor::Overran(int number) {
 
 void Supervisor::JudgeEnd() {
   const size_t before = findings().size();
-  const motion::MotionCore& core = controller_.motion();
-  for (size_t i = 0; i < core.axis_count(); ++i) {
+  for (size_t i = 0; i < core().axis_count(); ++i) {
     JudgeStop(i);
     JudgeLeftOut(i);
   }
@@ -490,7 +487,7 @@ void Supervisor::JudgeWorkLeft() {
         DescribeMovingAxis(controller_, axis), controller_.NowUs())
         .count = 0;
   });
-  const motion::MotionState& state = controller_.motion().state();
+  const motion::MotionState& state = core().state();
   for (size_t crd = 0; crd < state.crds.size(); ++crd) {
     for (size_t fifo = 0; fifo < state.crds[crd].fifos.size(); ++fifo) {
       const size_t left = state.crds[crd].fifos[fifo].Remaining();

@@ -79,6 +79,8 @@ class Supervisor final : public CardObserver {
     bool moves = false;  ///< it may start motions
   };
 
+  /// To look at: a core that can be changed would leave its lanes.
+  const motion::MotionCore& core() const { return controller_.motion(); }
   /// The history, to be changed.
   History& Present();
   /// What was found, to be changed.
