@@ -45,8 +45,7 @@ bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
   double wanted = 0;
   if (card_.observed() && slot.is_segment && ahead.on() && ahead.has_newest &&
       !ahead.newest_rests) {
-    corner = CornerVelocity(ahead.newest_tangent, slot.segment.TangentAt(0), ahead.time,
-                            ahead.acceleration);
+    corner = ahead.CornerBefore(slot.segment.TangentAt(0));
     wanted = std::min(slot.velocity, ahead.newest_velocity);
   }
   if (!crd_.Append(fifo, slot, card_.now())) return false;

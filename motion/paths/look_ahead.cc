@@ -4,24 +4,13 @@
 #include <cmath>
 
 #include "motion/common/state_hash.h"
+#include "motion/paths/path_limits.h"
 
 namespace oncard::motion {
 
 static_assert(kFieldsComplete<LookAhead> && kFieldsComplete<SpeedChain> &&
               kFieldsComplete<SpeedLink> && kFieldsComplete<PathSlot> &&
               kFieldsComplete<BufferedCommand>);
-
-double CornerVelocity(const Coordinates& before, const Coordinates& after, double time,
-                      double acceleration) {
-  double square = 0;
-  for (size_t i = 0; i < before.size(); ++i) {
-    const double change = after[i] - before[i];
-    square += change * change;
-  }
-  // A rounding error of unit vectors is not a corner.
-  if (square < 1e-24) return std::numeric_limits<double>::max();
-  return acceleration * time / std::sqrt(square);
-}
 
 void SpeedChain::Push(const SpeedLink& link) {
   back_total = back.empty() ? link : back_total.After(link);
@@ -43,6 +32,10 @@ double SpeedChain::SpeedSquare() const {
   return front.empty() ? behind : front.back().At(behind);
 }
 
+double LookAhead::CornerBefore(const Coordinates& tangent) const {
+  return CornerSpeed(kAllCoordinates, newest_tangent, tangent, acceleration, time);
+}
+
 void LookAhead::Push(const PathSlot& pushed) {
   ring.Push(pushed);
   PathSlot& slot = ring.back();
@@ -57,9 +50,7 @@ void LookAhead::Push(const PathSlot& pushed) {
   const double velocity = std::min(slot.velocity, slot.velocity_limit);
   double junction = 0;
   if (has_newest && !newest_rests) {
-    junction =
-        std::min({velocity, newest_velocity,
-                  CornerVelocity(newest_tangent, slot.segment.TangentAt(0), time, acceleration)});
+    junction = std::min({velocity, newest_velocity, CornerBefore(slot.segment.TangentAt(0))});
   }
   chain.Push({junction * junction, 2 * slot.acceleration * slot.segment.length});
   has_newest = true;

@@ -22,10 +22,6 @@
 
 namespace oncard::motion {
 
-/// The largest velocity at a corner: accMax * T / |after - before|.
-double CornerVelocity(const Coordinates& before, const Coordinates& after, double time,
-                      double acceleration);
-
 /// x -> min(bound, x + gain), squares of velocities.
 struct SpeedLink {
   double bound = std::numeric_limits<double>::max();
@@ -67,6 +63,9 @@ struct LookAhead {
   Coordinates newest_tangent{};
 
   bool on() const { return capacity > 0; }
+  /// The largest velocity of the corner between the newest segment and one that begins with this
+  /// tangent.
+  double CornerBefore(const Coordinates& tangent) const;
   bool full() const { return ring.size() >= capacity; }
   void Push(const PathSlot& pushed);
   /// The oldest slot with its end velocity planned; the ring must not be empty.

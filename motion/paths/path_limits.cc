@@ -8,20 +8,6 @@ namespace {
 /// A turn that is only a rounding error of unit vectors.
 constexpr double kNoTurn = 1e-12;
 
-double LengthIn(uint32_t axes, const Coordinates& v) {
-  double square = 0;
-  for (size_t i = 0; i < v.size(); ++i) {
-    if ((axes >> i & 1) != 0) square += v[i] * v[i];
-  }
-  return std::sqrt(square);
-}
-
-Coordinates Between(const Coordinates& a, const Coordinates& b) {
-  Coordinates v;
-  for (size_t i = 0; i < v.size(); ++i) v[i] = b[i] - a[i];
-  return v;
-}
-
 }  // namespace
 
 void MeasureLength(uint32_t axes, Segment* segment) {
@@ -40,11 +26,11 @@ void MeasureLength(uint32_t axes, Segment* segment) {
   if (length > 0) segment->length = length;
 }
 
-double CornerSpeed(const PathLimits& limits, const Coordinates& before, const Coordinates& after,
-                   double acceleration) {
-  const double turn = LengthIn(limits.length_axes, Between(before, after));
+double CornerSpeed(uint32_t axes, const Coordinates& before, const Coordinates& after,
+                   double acceleration, double time) {
+  const double turn = LengthIn(axes, Between(before, after));
   if (turn < kNoTurn) return kUnlimited;
-  return acceleration * limits.corner_time / turn;
+  return acceleration * time / turn;
 }
 
 double RadiusThrough(uint32_t axes, const Coordinates& a, const Coordinates& b,

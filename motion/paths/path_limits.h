@@ -40,7 +40,7 @@ struct PathLimits {
   bool geometric = true;  ///< corners and curves limit the speed
   /// Bit n: coordinate n counts in the length of the path. A segment that moves none of them is
   /// measured with all coordinates.
-  uint32_t length_axes = 0xF;
+  uint32_t length_axes = kAllCoordinates;
   std::array<AxisLimits, kCrdDimensionMax> axes;
   std::array<AxisLimits, kFollowerMax> followers;  ///< of profiles that follow segments
 
@@ -53,9 +53,10 @@ struct PathLimits {
 /// whole if any of its axes counts.
 void MeasureLength(uint32_t axes, Segment* segment);
 
-/// The largest speed at a corner: see PathLimits.
-double CornerSpeed(const PathLimits& limits, const Coordinates& before, const Coordinates& after,
-                   double acceleration);
+/// The largest speed at a corner between two unit tangents, at which it changes by at most
+/// `acceleration` * `time`, measured with the coordinates of `axes`; kUnlimited without a corner.
+double CornerSpeed(uint32_t axes, const Coordinates& before, const Coordinates& after,
+                   double acceleration, double time);
 /// The radius of the circle through a, b and c, measured with the coordinates of `axes`; kUnlimited
 /// for a straight line, and where the path turns by more than a curve does.
 double RadiusThrough(uint32_t axes, const Coordinates& a, const Coordinates& b,

@@ -134,8 +134,9 @@ double PathPlanner::JunctionBefore(const PathSlot& slot, double commanded,
   const Coordinates tangent = slot.segment.TangentAt(0);
   double junction = slot.velocity_limit;
   if (limits.geometric) {
-    junction = std::min(junction, CornerSpeed(limits, newest.tangent, tangent,
-                                              std::min(commanded, newest.commanded)));
+    junction =
+        std::min(junction, CornerSpeed(limits.length_axes, newest.tangent, tangent,
+                                       std::min(commanded, newest.commanded), limits.corner_time));
   }
   for (size_t i = 0; i < tangent.size(); ++i) {
     junction = std::min(junction, JumpSpeed(limits.axes[i].jump, newest.tangent[i], tangent[i]));

@@ -121,7 +121,7 @@ std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end
   Segment line;
   line.start = start;
   line.end = end;
-  line.travel = Each([&](size_t i) { return end[i] - start[i]; });
+  line.travel = Between(start, end);
   line.length = LengthOf(line.travel);
   if (!(line.length > 0)) return std::nullopt;
   return line;

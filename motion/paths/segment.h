@@ -12,12 +12,9 @@
 #include <optional>
 #include <tuple>
 
-#include "motion/common/sizes.h"
+#include "motion/paths/coordinates.h"
 
 namespace oncard::motion {
-
-/// Coordinates X, Y, Z, A; unused ones are 0.
-using Coordinates = std::array<double, kCrdDimensionMax>;
 
 /// Assumption: by how much an arc's two radii, or half the chord and the radius, may differ, unless
 /// the caller says otherwise.

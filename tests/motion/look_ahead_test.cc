@@ -8,21 +8,25 @@
 #include <vector>
 
 #include "motion/common/state_hash.h"
+#include "motion/paths/path_limits.h"
 #include "tests/motion/crd_run.h"
 
 namespace oncard::motion {
 namespace {
 
-TEST(CornerVelocity, IsLimitedByTheChangeOfDirection) {
+TEST(CornerSpeed, IsLimitedByTheChangeOfDirection) {
   // accMax * T / (2 sin(angle / 2)) with T 5 and accMax 1.
   struct {
     double degrees, velocity;
   } const cases[] = {{180, 2.5}, {90, 3.535534}, {60, 5}, {36.8698976458440, 7.905694}};
   for (const auto& c : cases) {
     const double angle = c.degrees * M_PI / 180;
-    EXPECT_NEAR(CornerVelocity({1, 0}, {std::cos(angle), std::sin(angle)}, 5, 1), c.velocity, 1e-6);
+    EXPECT_NEAR(CornerSpeed(kAllCoordinates, {1, 0}, {std::cos(angle), std::sin(angle)}, 1, 5),
+                c.velocity, 1e-6);
   }
-  EXPECT_GT(CornerVelocity({1, 0}, {1, 0}, 5, 1), 1e9);
+  EXPECT_EQ(CornerSpeed(kAllCoordinates, {1, 0}, {1, 0}, 1, 5), kUnlimited);
+  // A coordinate that does not count.
+  EXPECT_EQ(CornerSpeed(1, {1, 0}, {1, 1}, 1, 5), kUnlimited);
 }
 
 // Two buffers with the same remaining contents are equal, whatever was removed before.
@@ -68,8 +72,8 @@ TEST(LookAhead, MatchesABackwardPassOverTheWholeWindow) {
     // Calculated backwards from rest at the window's end.
     double square = 0;
     for (size_t i = last; i > taken; --i) {
-      const double corner =
-          CornerVelocity(slots[i - 1].segment.TangentAt(0), slots[i].segment.TangentAt(0), 5, 1);
+      const double corner = CornerSpeed(kAllCoordinates, slots[i - 1].segment.TangentAt(0),
+                                        slots[i].segment.TangentAt(0), 1, 5);
       const double junction = std::min({corner, slots[i - 1].velocity, slots[i].velocity});
       square = std::min(junction * junction, square + 0.5 * slots[i].segment.length);
     }
