@@ -228,6 +228,19 @@ TEST(ArchitectureTest, SourcesIncludeWhatTheirRoomMay) {
   }
 }
 
+// Whether a reader finds the rooms is tried with readers; here the list is only kept up to date.
+TEST(ArchitectureTest, TenBugsHaveRoomsOfTheTable) {
+  static const std::regex kRow(R"(\n\| [^|\n]*\| `([a-z/]+)` \|)");
+  const Rooms rooms = RoomsOfTheProject();
+  const std::string page = ReadFile(kRoot / "tests/docs/bugs.md").value();
+  std::set<std::string> named;
+  for (std::sregex_iterator row(page.begin(), page.end(), kRow), end; row != end; ++row) {
+    EXPECT_TRUE(rooms.contains((*row)[1])) << (*row)[1];
+    named.insert((*row)[1]);
+  }
+  EXPECT_EQ(named.size(), 10u);
+}
+
 // A package of web/ names those that it uses in its package.json.
 TEST(ArchitectureTest, PackagesUseWhatTheTableSays) {
   static const std::regex kPackage(R"re("@oncard/([a-z-]+)": ")re");
