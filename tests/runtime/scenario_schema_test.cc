@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/toml_keys.h"
+#include "tests/base/json_schema.h"
 
 namespace oncard::runtime {
 namespace {
@@ -22,59 +23,15 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-const Json& Schema() {
-  static const Json schema = Json::parse(ScenarioSchema(Language::kEnglish));
-  return schema;
+JsonSchema& Checker() {
+  static JsonSchema checker(Json::parse(ScenarioSchema(Language::kEnglish)));
+  return checker;
 }
 
-// --- A validator of as much of JSON Schema as the schema uses ------------------------------------
-
-bool HasType(const Json& value, const std::string& type) {
-  if (type == "integer") return value.is_number_integer();
-  if (type == "number") return value.is_number();
-  if (type == "string") return value.is_string();
-  if (type == "boolean") return value.is_boolean();
-  if (type == "array") return value.is_array();
-  EXPECT_EQ(type, "object");
-  return value.is_object();
-}
-
-bool Fits(const Json& value, const Json& schema);
-
-bool FitsObject(const Json& value, const Json& schema) {
-  for (const auto& [name, member] : value.items()) {
-    if (schema.contains("properties") && schema["properties"].contains(name)) {
-      if (!Fits(member, schema["properties"][name])) return false;
-    } else if (schema["additionalProperties"].is_boolean() ||
-               !Fits(member, schema["additionalProperties"])) {
-      return false;
-    }
-  }
-  const Json required = schema.value("required", Json::array());
-  return std::ranges::all_of(required,
-                             [&](const Json& name) { return value.contains(std::string(name)); });
-}
-
-bool FitsArray(const Json& value, const Json& schema) {
-  return value.size() >= schema.value("minItems", size_t{0}) &&
-         value.size() <= schema.value("maxItems", size_t{1'000'000}) &&
-         std::ranges::all_of(value, [&](const Json& item) { return Fits(item, schema["items"]); });
-}
+const Json& Schema() { return Checker().root(); }
 
 bool Fits(const Json& value, const Json& schema) {
-  if (schema.contains("anyOf")) {
-    return std::ranges::any_of(schema["anyOf"],
-                               [&](const Json& other) { return Fits(value, other); });
-  }
-  if (schema.contains("const")) return value == schema["const"];
-  if (schema.contains("enum")) return std::ranges::count(schema["enum"], value) == 1;
-  if (!HasType(value, schema.at("type"))) return false;
-  if (value.is_object()) return FitsObject(value, schema);
-  if (value.is_array()) return FitsArray(value, schema);
-  if (schema.contains("minimum") && value < schema["minimum"]) return false;
-  if (schema.contains("maximum") && value > schema["maximum"]) return false;
-  return !schema.contains("multipleOf") ||
-         value.get<int64_t>() % schema["multipleOf"].get<int64_t>() == 0;
+  return Checker().MistakeIn(value, schema).empty();
 }
 
 Json JsonOf(const toml::node& node) {
