@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "session/host.h"
+#include "tests/session/asking_test.h"
 
 namespace oncard::session {
 namespace {
@@ -15,12 +15,8 @@ using ::testing::HasSubstr;
 
 constexpr const char* kSource = "#include \"h.h\"\nint f()\n{\n  GT_AxisOn(A);\n}\n";
 
-class EditorRequestsTest : public testing::Test {
+class EditorRequestsTest : public AskingTest {
  protected:
-  Json Ask(const std::string& request, const Json& arguments) {
-    return Json::parse(
-        host_.Handle(Json{{"id", 1}, {"request", request}, {"arguments", arguments}}.dump()));
-  }
   Json AskAt(const std::string& request, int line, int column, Json arguments) {
     arguments["line"] = line;
     arguments["column"] = column;
@@ -30,7 +26,6 @@ class EditorRequestsTest : public testing::Test {
   const Json files_ = {{"p.c", kSource},
                        {"h.h", "#define A 1\n"},
                        {"s.toml", "program = \"p.c\"\n[[thread]]\nfunction = \"f\"\n"}};
-  SessionHost host_;
 };
 
 TEST_F(EditorRequestsTest, TakeAProgramAScenarioOrAnIncludedFile) {
