@@ -13,10 +13,6 @@
 #include "vm/record.h"
 
 namespace oncard::session {
-namespace {
-
-using Json = nlohmann::ordered_json;
-using runtime::Quantity;
 
 std::string_view StepName(StepKind kind) {
   switch (kind) {
@@ -79,6 +75,11 @@ std::string_view ReasonName(StopReason reason) {
   }
   return "budget";
 }
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using runtime::Quantity;
 
 /// What a thread waits for in a cycle.
 Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, const vm::Image& program,

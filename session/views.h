@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/message.h"
@@ -12,6 +13,12 @@
 #include "session/session.h"
 
 namespace oncard::session {
+
+// The names of what can come next, of ends of a run, and of the reasons for which a walk ends.
+
+std::string_view StepName(StepKind kind);
+std::string_view OverName(runtime::RunOver over);
+std::string_view ReasonName(StopReason reason);
 
 /// The present: moment, time, threads, what comes next.
 nlohmann::ordered_json StateView(const RewindableRun& run, Language language);
