@@ -1,4 +1,5 @@
-// Tests that put requests to a host of the session protocol.
+// Tests that put requests to a host of the session protocol. Every answer is compared with the
+// schema.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "session/host.h"
+#include "tests/session/protocol_check.h"
 
 namespace oncard::session {
 
@@ -22,6 +24,7 @@ class AskingTest : public testing::Test {
     const Json message = {{"id", ++id_}, {"request", request}, {"arguments", std::move(arguments)}};
     const std::string answer = host_.Handle(message.dump());
     EXPECT_EQ(answer.back(), '\n');
+    TheProtocolCheck().Expect(message, answer);
     const size_t last = answer.find_last_of('\n', answer.size() - 2);
     const size_t begin = last == std::string::npos ? 0 : last + 1;
     events_ = answer.substr(0, begin);
