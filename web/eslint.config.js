@@ -2,7 +2,7 @@ import js from "@eslint/js";
 import tseslint from "typescript-eslint";
 
 export default tseslint.config(
-  { ignores: ["**/dist/**", "**/dist-test/**", "**/*.d.ts"] },
+  { ignores: ["**/dist/**", "**/dist-test/**", "**/*.d.ts", "engine/src/protocol.ts"] },
   js.configs.recommended,
   {
     files: ["**/*.js"],
@@ -11,7 +11,7 @@ export default tseslint.config(
     },
   },
   {
-    files: ["vitest.config.js", "**/*.mjs", "playground/tools/*.js"],
+    files: ["vitest.config.js", "**/*.mjs", "*/tools/*.js"],
     languageOptions: { globals: { URL: "readonly", console: "readonly", process: "readonly" } },
   },
   {

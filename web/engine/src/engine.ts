@@ -2,7 +2,9 @@
 // their order, whoever makes them.
 // Tested by test/engine.test.ts and test/walk.test.ts.
 
+import type { ExploreAnswer, ExploreRequest } from "./explore.js";
 import type {
+  Answer,
   BackWalk,
   Card,
   Channel,
@@ -11,7 +13,6 @@ import type {
   Description,
   Edit,
   Evaluation,
-  ExploreAnswer,
   FileRange,
   Fixes,
   Fold,
@@ -21,12 +22,12 @@ import type {
   Language,
   ListedFunction,
   Loaded,
-  LoadOptions,
   LogEvent,
   Lowered,
   OutlineEntry,
   Project,
   Reference,
+  Requests,
   RunAnswer,
   Signature,
   SourcePlace,
@@ -39,7 +40,6 @@ import type {
   WalkResult,
   Word,
 } from "./protocol.js";
-import { protocolVersion } from "./protocol.js";
 import type { Transport } from "./transport.js";
 
 /** The engine has refused a request; the message is its own. Nothing has changed. */
@@ -57,14 +57,19 @@ export interface WalkOptions {
 
 const stepsOfSlice = 50_000;
 
-interface Answer {
-  id?: number;
-  ok?: boolean;
-  result?: unknown;
-  error?: string;
-  /** Files that the request needs and that do not exist. */
-  missing?: string[];
+/** Of the protocol that is spoken here. */
+const protocolVersion: Hello["protocol"] = 1;
+
+/** How a project is loaded. */
+export type LoadOptions = Omit<Requests["load"]["arguments"], keyof Project>;
+
+interface AnyRequest extends Requests {
+  explore: ExploreRequest;
 }
+/** JSON leaves out what is undefined. */
+type Arguments<Request extends keyof AnyRequest> = OrUndefined<AnyRequest[Request]["arguments"]>;
+type OrUndefined<Type> = { [Key in keyof Type]: Type[Key] | undefined };
+type Result<Request extends keyof AnyRequest> = AnyRequest[Request]["result"];
 
 interface Waiting {
   /** Takes the answer and its text. */
@@ -84,7 +89,7 @@ export class Engine {
   onEnded: (why: Error) => void = () => undefined;
 
   readonly #transport: Transport;
-  readonly #waiting = new Map<number, Waiting>();
+  readonly #waiting = new Map<Answer["id"], Waiting>();
   #requests = 0;
   #ended: Error | undefined;
 
@@ -117,17 +122,17 @@ export class Engine {
   }
   /** Runs a whole project beside the session. */
   run(project: Project, show: string[] = []): Promise<RunAnswer> {
-    return this.#requestWithFiles("run", project, { show });
+    return this.#requestWithFiles("run", { ...project, show });
   }
   /** Searches all interleavings; only the module answers this. */
   explore(project: Project, language?: Language): Promise<ExploreAnswer> {
-    return this.#requestWithFiles("explore", project, { language });
+    return this.#requestWithFiles("explore", { ...project, language });
   }
   load(project: Project, options: LoadOptions = {}): Promise<Loaded> {
-    return this.#requestWithFiles("load", project, { ...options });
+    return this.#requestWithFiles("load", { ...project, ...options });
   }
   state(): Promise<State> {
-    return this.#request("state");
+    return this.#request("state", {});
   }
   /** One slice of a walk; `walkForward` goes on until it arrives. */
   forward(walk: ForwardWalk, budget?: number): Promise<WalkResult> {
@@ -158,7 +163,7 @@ export class Engine {
     return BigInt64Array.from(list.split(",").map(BigInt));
   }
   card(): Promise<Card> {
-    return this.#request("card");
+    return this.#request("card", {});
   }
   /** With a thread, names are meant as in its function: its locals first. */
   evaluate(text: string, thread?: number): Promise<Evaluation> {
@@ -187,7 +192,7 @@ export class Engine {
     return this.#request("spans", { from, to, most });
   }
   listing(): Promise<ListedFunction[]> {
-    return this.#request("listing");
+    return this.#request("listing", {});
   }
   /** The texts of a schedule file and of its scenario, with the changes, for a file at `path`. */
   record(path?: string): Promise<{ schedule: string; scenario: string }> {
@@ -214,10 +219,10 @@ export class Engine {
     return this.#requestWithFiles("definition", place);
   }
   references(place: SourcePlace, declaration = true): Promise<Reference[]> {
-    return this.#requestWithFiles("references", place, { declaration });
+    return this.#requestWithFiles("references", { ...place, declaration });
   }
   rename(place: SourcePlace, name: string): Promise<Edit[]> {
-    return this.#requestWithFiles("rename", place, { name });
+    return this.#requestWithFiles("rename", { ...place, name });
   }
   tokens(file: SourceProject): Promise<Word[]> {
     return this.#requestWithFiles("tokens", file);
@@ -256,22 +261,24 @@ export class Engine {
 
   // --- Lines -------------------------------------------------------------------------------------
 
-  async #request<Result>(request: string, args: Record<string, unknown> = {}): Promise<Result> {
+  async #request<Request extends keyof Requests>(
+    request: Request,
+    args: Arguments<Request>,
+  ): Promise<Result<Request>> {
     // The engine keeps to the protocol: its version was checked by `hello`.
-    return (await this.#exchange(request, args)).result as Result;
+    return (await this.#exchange(request, args)).result as Result<Request>;
   }
 
   /** Repeats a request until nothing that it lacks can be supplied. */
-  async #requestWithFiles<Result>(
-    request: string,
-    project: Project,
-    args: Record<string, unknown> = {},
-  ): Promise<Result> {
-    const files = { ...project.files };
+  async #requestWithFiles<Request extends keyof AnyRequest>(
+    request: Request,
+    args: Arguments<Request> & Pick<Project, "files">,
+  ): Promise<Result<Request>> {
+    const files = { ...args.files };
     for (;;) {
-      const answer = await this.#ask(request, { ...project, ...args, files });
+      const answer = await this.#ask(request, { ...args, files });
       if (!(await this.#addTo(files, answer.missing ?? []))) {
-        if (answer.ok) return answer.result as Result;
+        if (answer.ok) return answer.result as Result<Request>;
         throw new RefusedError(answer.error);
       }
     }
@@ -289,16 +296,13 @@ export class Engine {
     return added;
   }
 
-  async #exchange(
-    request: string,
-    args: Record<string, unknown>,
-  ): Promise<{ result: unknown; text: string }> {
-    const { ok, result, error, text } = await this.#ask(request, args);
-    if (!ok) throw new RefusedError(error);
-    return { result, text };
+  async #exchange(request: string, args: object): Promise<{ result: unknown; text: string }> {
+    const answer = await this.#ask(request, args);
+    if (!answer.ok) throw new RefusedError(answer.error);
+    return answer;
   }
 
-  #ask(request: string, args: Record<string, unknown>): Promise<Answer & { text: string }> {
+  #ask(request: string, args: object): Promise<Answer & { text: string }> {
     if (this.#ended) return Promise.reject(this.#ended);
     const id = ++this.#requests;
     return new Promise((resolve, reject) => {
@@ -322,9 +326,9 @@ export class Engine {
       this.onLog(message);
       return;
     }
-    const waiting = this.#waiting.get(message.id ?? 0);
+    const waiting = this.#waiting.get(message.id);
     if (!waiting) return;
-    this.#waiting.delete(message.id ?? 0);
+    this.#waiting.delete(message.id);
     waiting.resolve({ ...message, text });
   }
 

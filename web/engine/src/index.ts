@@ -1,5 +1,6 @@
 export * from "./columns.js";
 export * from "./engine.js";
+export * from "./explore.js";
 export * from "./http_transport.js";
 export * from "./language.js";
 export * from "./module.js";

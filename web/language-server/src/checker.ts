@@ -27,7 +27,6 @@ export interface DiagnosticData {
 const severities = {
   error: DiagnosticSeverity.Error,
   warning: DiagnosticSeverity.Warning,
-  note: DiagnosticSeverity.Information,
 };
 
 /** Diagnostics by the file that they are in. */

@@ -251,7 +251,7 @@ function Code() {
       here.map((each) => ({
         from: indexOfPlace(text, each.line, each.column),
         to: indexOfPlace(text, each.end_line, each.end_column),
-        severity: each.severity === "note" ? "info" : each.severity,
+        severity: each.severity,
         message: each.message,
       })),
     );

@@ -1,6 +1,6 @@
 // Places of the compiler in the text of the editor. Tested by test/offsets.test.ts.
 
-import { columnOfIndex, type Fixit, indexOfColumn } from "@oncard/engine";
+import { columnOfIndex, type Edit, indexOfColumn } from "@oncard/engine";
 
 /** The index of a place: line and column from 1. Places outside are at the end. */
 export function indexOfPlace(text: string, line: number, column: number): number {
@@ -23,7 +23,7 @@ export function placeOfIndex(text: string, index: number): { line: number; colum
 }
 
 /** A text with all replacements of a message. */
-export function withFixes(text: string, fixes: Fixit[]): string {
+export function withFixes(text: string, fixes: Edit[]): string {
   const places = fixes
     .map(({ line, column, end_line, end_column, text: put }) => ({
       begin: indexOfPlace(text, line, column),

@@ -103,7 +103,6 @@ export const en = {
     place: (line: number, column: number) => `${line}:${column}`,
     error: "error",
     warning: "warning",
-    note: "note",
     structured: "structured C",
     breakpoints: "Breakpoints",
     removeBreakpoint: (line: number) => `Remove the breakpoint at line ${line}`,

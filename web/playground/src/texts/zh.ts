@@ -102,7 +102,6 @@ export const zh: Texts = {
     place: (line, column) => `${line}:${column}`,
     error: "错误",
     warning: "警告",
-    note: "说明",
     structured: "结构化 C",
     breakpoints: "断点",
     removeBreakpoint: (line) => `取消第 ${line} 行的断点`,

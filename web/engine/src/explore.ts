@@ -1,0 +1,18 @@
+// The request that only the module answers, as web/README.md describes it; the others are in
+// protocol.ts.
+
+import type { Compiled, Language, Project } from "./protocol.js";
+
+export interface ExploreAnswer extends Compiled {
+  /** What `oncard explore --format=json` prints; missing if the program was not compiled. */
+  report?: { verdict: "PROVED" | "PASSED" | "FAILED" | "INCOMPLETE"; culprit?: string };
+  /** The report for people. */
+  text?: string;
+  /** If something fails: a schedule file beside `main` that repeats it. */
+  schedule?: string;
+}
+
+export interface ExploreRequest {
+  arguments: Project & { language?: Language };
+  result: ExploreAnswer;
+}
