@@ -9,7 +9,7 @@
 
 namespace oncard::motion {
 
-enum class HappeningKind : uint8_t {
+enum class CardEventKind : uint8_t {
   // Of an axis; `value` is its planned position.
   kPositiveLimitSwitch,
   kNegativeLimitSwitch,
@@ -36,13 +36,13 @@ enum class HappeningKind : uint8_t {
   kJunctionLimited  ///< the same with the multi-axis look-ahead
 };
 
-struct Happening {
-  HappeningKind kind;
+struct CardEvent {
+  CardEventKind kind;
   size_t item = 0;  ///< axis, profile or coordinate system, from 0
   double value = 0;
   double bound = 0;
 };
 
-using HappeningObserver = std::function<void(const Happening&)>;
+using CardEventObserver = std::function<void(const CardEvent&)>;
 
 }  // namespace oncard::motion

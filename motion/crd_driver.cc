@@ -50,7 +50,7 @@ bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
   }
   if (!crd_.Append(fifo, slot, card_.now())) return false;
   if (slot.is_segment) TellJunction(crd_.fifos[fifo]);
-  if (corner < wanted) card_.Tell(HappeningKind::kCornerLimited, corner, wanted);
+  if (corner < wanted) card_.Tell(CardEventKind::kCornerLimited, corner, wanted);
   return true;
 }
 
@@ -62,7 +62,7 @@ void CrdDriver::TellJunction(const CrdFifo& fifo) const {
   const double wanted = std::min(newest.top, spans.At(spans.size() - 2).top);
   // 0 has been commanded.
   if (newest.junction == 0 || newest.junction >= wanted) return;
-  card_.Tell(HappeningKind::kJunctionLimited, std::sqrt(newest.junction), std::sqrt(wanted));
+  card_.Tell(CardEventKind::kJunctionLimited, std::sqrt(newest.junction), std::sqrt(wanted));
 }
 
 void CrdDriver::Start(size_t fifo, bool single_step) {
@@ -97,9 +97,9 @@ void CrdDriver::TellRunEnd() const {
   const CrdFifo& fifo = crd_.active();
   if (fifo.executing || !fifo.slots.empty()) return;
   if (!fifo.Ahead().empty()) {
-    card_.Tell(HappeningKind::kStarved, static_cast<double>(fifo.Ahead().CountSegments()));
+    card_.Tell(CardEventKind::kStarved, static_cast<double>(fifo.Ahead().CountSegments()));
   } else if (crd_.run.plan.end_velocity > 0) {
-    card_.Tell(HappeningKind::kEndedMoving, crd_.run.plan.end_velocity);
+    card_.Tell(CardEventKind::kEndedMoving, crd_.run.plan.end_velocity);
   }
 }
 
@@ -138,7 +138,7 @@ void CrdDriver::JudgeAwaitedMove() {
   if (awaited.position == move.values[0]) {
     crd_.EndMove(card_.now());
   } else {
-    card_.Tell(HappeningKind::kMoveStopped, awaited.position, move.item);
+    card_.Tell(CardEventKind::kMoveStopped, awaited.position, move.item);
     // Stopped before its target: the path must not continue until the axis has reached it.
     crd_.EndRun();
   }

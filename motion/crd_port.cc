@@ -36,7 +36,7 @@ void CarryOutLaser(const BufferedCommand& command, Laser* laser) {
 void CrdPort::TellDriveOff(int32_t profile) const {
   if (!observer_) return;
   const auto axis = Readings(state_, config_).AxisWithDriveOff(static_cast<size_t>(profile));
-  if (axis) observer_({HappeningKind::kMovedByPath, *axis, 0, static_cast<double>(index_)});
+  if (axis) observer_({CardEventKind::kMovedByPath, *axis, 0, static_cast<double>(index_)});
 }
 
 void CrdPort::CarryOut(const BufferedCommand& command) {

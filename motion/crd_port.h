@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motion/card_event.h"
 #include "motion/cycle_block.h"
-#include "motion/happening.h"
 #include "motion/motion_state.h"
 
 namespace oncard::motion {
@@ -15,7 +15,7 @@ namespace oncard::motion {
 class CrdPort {
  public:
   /// `block` may have parts of the state in lanes.
-  CrdPort(MotionState& state, const MotionConfig& config, const HappeningObserver& observer,
+  CrdPort(MotionState& state, const MotionConfig& config, const CardEventObserver& observer,
           size_t index, CycleBlock& block)
       : state_(state), config_(config), observer_(observer), index_(index), block_(block) {}
 
@@ -28,7 +28,7 @@ class CrdPort {
   void CarryOut(const BufferedCommand& command);
   /// True if somebody is told what happens.
   bool observed() const { return observer_ != nullptr; }
-  void Tell(HappeningKind kind, double value, double bound = 0) const {
+  void Tell(CardEventKind kind, double value, double bound = 0) const {
     if (observer_) observer_({kind, index_, value, bound});
   }
   /// Tells of an axis that the profile begins to move while the drive is off.
@@ -37,7 +37,7 @@ class CrdPort {
  private:
   MotionState& state_;
   const MotionConfig& config_;
-  const HappeningObserver& observer_;
+  const CardEventObserver& observer_;
   size_t index_;
   CycleBlock& block_;
 };

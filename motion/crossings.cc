@@ -1,14 +1,14 @@
-#include "motion/passages.h"
+#include "motion/crossings.h"
 
 #include "motion/common/rounding.h"
 
 namespace oncard::motion {
 
-bool Passages::Wanted(const MotionState& state) {
+bool Crossings::Wanted(const MotionState& state) {
   return !state.switches.empty() || state.capture.armed() || state.compare.active();
 }
 
-Passages::Passages(MotionState& state, const MotionConfig& config)
+Crossings::Crossings(MotionState& state, const MotionConfig& config)
     : state_(state), config_(config), readings_(state, config) {
   for (size_t i = 0; i < kAxisMax; ++i) {
     motors_[i] = state_.plants[i].position;
@@ -16,7 +16,7 @@ Passages::Passages(MotionState& state, const MotionConfig& config)
   }
 }
 
-void Passages::Finish() {
+void Crossings::Finish() {
   for (size_t i = 0; i < kAxisMax; ++i) encoders_.to[i] = readings_.CountedPosition(i);
   if (state_.capture.armed()) PassWorldEdges();
   for (const PositionSwitch& contact : state_.switches) OperateSwitch(contact);
@@ -25,12 +25,12 @@ void Passages::Finish() {
   state_.capture.CountArmed();
 }
 
-double Passages::PositionAt(size_t encoder, double fraction) const {
+double Crossings::PositionAt(size_t encoder, double fraction) const {
   const double from = encoders_.from[encoder];
   return Whole(from + fraction * (encoders_.to[encoder] - from));
 }
 
-double Passages::PositionWhere(size_t encoder, size_t motor, double place) const {
+double Crossings::PositionWhere(size_t encoder, size_t motor, double place) const {
   const Encoder& counter = state_.encoders[encoder];
   if (encoder == motor && counter.external && counter.active && !readings_.OnBus(encoder)) {
     // Computed directly rather than with the fraction, which would not be exact.
@@ -42,7 +42,7 @@ double Passages::PositionWhere(size_t encoder, size_t motor, double place) const
   return PositionAt(encoder, length == 0 ? 1 : (place - motors_[motor]) / length);
 }
 
-void Passages::PassWorldEdges() {
+void Crossings::PassWorldEdges() {
   const WorldProgress& world = state_.world;
   if (world.events == nullptr) return;
   const WorldEvents& events = *world.events;
@@ -64,7 +64,7 @@ void Passages::PassWorldEdges() {
   }
 }
 
-void Passages::PassComparePoints() {
+void Crossings::PassComparePoints() {
   const Micros begin = now() - config_.cycle_us;
   state_.compare.Advance(begin, config_.cycle_us, encoders_);
   for (const HsioEdge& edge : state_.compare.edges()) {
@@ -75,7 +75,7 @@ void Passages::PassComparePoints() {
   }
 }
 
-void Passages::OperateSwitch(const PositionSwitch& contact) {
+void Crossings::OperateSwitch(const PositionSwitch& contact) {
   const size_t motor = contact.axis;
   const double to = state_.plants[motor].position;
   const bool level = contact.Level(to);
@@ -93,7 +93,7 @@ void Passages::OperateSwitch(const PositionSwitch& contact) {
   if (!passage.enters && !passage.leaves && level != before) edge(level, to);
 }
 
-void Passages::PassIndexMarks() {
+void Crossings::PassIndexMarks() {
   for (size_t i = 0; i < kAxisMax; ++i) {
     if (!state_.capture.WaitsForIndex(i)) continue;
     ForEachMark(state_.index_marks[i], motors_[i], state_.plants[i].position, [&](double place) {

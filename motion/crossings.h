@@ -1,6 +1,6 @@
 // Determines where within a cycle a motor passes switches, index marks and compare points; and
 // where encoders are at an edge inside the cycle, for captures. Only cycles in which something
-// depends on it need a Passages. Tested by tests/motion/marks_test.cc and, in tests/gtcalls, by
+// depends on it need a Crossings. Tested by tests/motion/marks_test.cc and, in tests/gtcalls, by
 // capture_command_test.cc and compare_command_test.cc.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace oncard::motion {
 
-class Passages {
+class Crossings {
  public:
   /// True if something depends on the positions that a motor passes inside a cycle.
   static bool Wanted(const MotionState& state);
 
   /// Notes where motors and encoders are before the motion of a cycle.
-  Passages(MotionState& state, const MotionConfig& config);
+  Crossings(MotionState& state, const MotionConfig& config);
   /// After the motion: operates switches, captures and compare outputs on its way.
   void Finish();
 

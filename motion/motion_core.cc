@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "motion/common/state_hash.h"
-#include "motion/passages.h"
-#include "motion/surroundings.h"
+#include "motion/crossings.h"
+#include "motion/world.h"
 
 namespace oncard::motion {
 namespace {
@@ -95,7 +95,7 @@ bool MotionCore::EncodersAreRead() const {
 }
 
 void MotionCore::BeginTick() {
-  Surroundings(state_, config_).ApplyEvents();
+  World(state_, config_).ApplyEvents();
   state_.io.SampleInputs();
   for (Adc& adc : state_.adcs) adc.Sample();
   state_.io.AdvanceOutputs(config_.cycle_us);
@@ -220,7 +220,7 @@ void MotionCore::BeginProfile(size_t index) {
   if (!unlaned().LimitForbids(index, profile.now.position - begin)) return;
   // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
-  Tell(HappeningKind::kHeldAtLimit, index, begin);
+  Tell(CardEventKind::kHeldAtLimit, index, begin);
   StopProfile(index, true);
 }
 
@@ -247,7 +247,7 @@ void MotionCore::JudgeLimits(size_t index, const MasterValue& planned) const {
   const DriveLimits& limits = config_.drive_limits[index];
   const auto& before = state_.axes[index].profile;
   if (begins(before.velocity, planned.velocity, limits.velocity)) {
-    Tell(HappeningKind::kTooFast, index, planned.velocity, limits.velocity);
+    Tell(CardEventKind::kTooFast, index, planned.velocity, limits.velocity);
   }
   // At a corner a path changes the velocity at once, with no acceleration that is planned; a ramp
   // that begins within the cycle has changed it little.
@@ -255,7 +255,7 @@ void MotionCore::JudgeLimits(size_t index, const MasterValue& planned) const {
   const double steepest =
       std::abs(mean) > std::abs(planned.acceleration) ? mean : planned.acceleration;
   if (begins(before.acceleration, steepest, limits.acceleration)) {
-    Tell(HappeningKind::kTooSteep, index, steepest, limits.acceleration);
+    Tell(CardEventKind::kTooSteep, index, steepest, limits.acceleration);
   }
 }
 
@@ -310,17 +310,17 @@ void MotionCore::AdvanceShapers() {
 
 void MotionCore::AdvanceDrives() {
   if (state_.bus) return AdvanceDrivesWithBus();
-  if (!Passages::Wanted(state_)) return drives().Advance();
-  Passages passages(state_, config_);
+  if (!Crossings::Wanted(state_)) return drives().Advance();
+  Crossings crossings(state_, config_);
   drives().Advance();
-  passages.Finish();
+  crossings.Finish();
 }
 
 void MotionCore::AdvanceDrivesWithBus() {
-  Passages passages(state_, config_);
+  Crossings crossings(state_, config_);
   bus_axes().Exchange();
   drives().Advance();
-  if (Passages::Wanted(state_)) passages.Finish();
+  if (Crossings::Wanted(state_)) crossings.Finish();
   ForEachBit(bus_axes().Follow(), axis_count(), [&](size_t axis) {
     drives().Disable(axis);
     StopAxis(state_.axes[axis], true);
@@ -344,9 +344,9 @@ void MotionCore::FailControl(const Control& control, double error) {
   Axis& axis = state_.axes[index];
   const auto limit = static_cast<double>(control.error_limit);
   if (error > limit) {
-    Tell(HappeningKind::kFollowingError, index, error, limit);
+    Tell(CardEventKind::kFollowingError, index, error, limit);
   } else {
-    Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
+    Tell(CardEventKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
   }
   axis.latched |= kFollowingErrorBit;
   if (config_.defaults.following_error_stops) ServoOff(index);
@@ -355,7 +355,7 @@ void MotionCore::FailControl(const Control& control, double error) {
 void MotionCore::JudgeGantry() {
   const Gantry& gantry = state_.gantry;
   if (!gantry.Exceeded(state_.axes)) return;
-  Tell(HappeningKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
+  Tell(CardEventKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
   for (const size_t axis : {size_t{gantry.master}, size_t{gantry.slave}}) {
     state_.axes[axis].latched |= kFollowingErrorBit;
     if (config_.defaults.following_error_stops) ServoOff(axis);
@@ -555,7 +555,7 @@ void MotionCore::TerminateBus() {
 
 void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   if (state_.bus) bus_axes().PowerOn();
-  Surroundings(state(), config_).PowerOn(std::move(events));
+  World(state(), config_).PowerOn(std::move(events));
   LatchCauses();
 }
 
@@ -568,31 +568,31 @@ void MotionCore::PlaceMotor(size_t motor, double position) {
 
 // --- Stops and reports -------------------------------------------------------------------------
 
-void MotionCore::Tell(HappeningKind kind, size_t item, double value, double bound) const {
+void MotionCore::Tell(CardEventKind kind, size_t item, double value, double bound) const {
   if (observer_) observer_({kind, item, value, bound});
 }
 
 void MotionCore::TellCauses(size_t index, uint32_t causes) const {
   const Axis& axis = state_.axes[index];
   const double position = axis.profile.position;
-  const auto tell = [&](HappeningKind kind, double bound = 0) {
+  const auto tell = [&](CardEventKind kind, double bound = 0) {
     Tell(kind, index, position, bound);
   };
-  if ((causes & kAlarmBit) != 0) tell(HappeningKind::kAlarm);
-  if ((causes & kSmoothStopBit) != 0) tell(HappeningKind::kSmoothStopInput);
-  if ((causes & kAbruptStopBit) != 0) tell(HappeningKind::kAbruptStopInput);
+  if ((causes & kAlarmBit) != 0) tell(CardEventKind::kAlarm);
+  if ((causes & kSmoothStopBit) != 0) tell(CardEventKind::kSmoothStopInput);
+  if ((causes & kAbruptStopBit) != 0) tell(CardEventKind::kAbruptStopInput);
   if ((causes & kPositiveLimitBit) != 0) {
     if (axis.positive_limit_on && InputActive(axis.positive_limit)) {
-      tell(HappeningKind::kPositiveLimitSwitch);
+      tell(CardEventKind::kPositiveLimitSwitch);
     } else {
-      tell(HappeningKind::kPositiveSoftLimit, axis.soft_positive);
+      tell(CardEventKind::kPositiveSoftLimit, axis.soft_positive);
     }
   }
   if ((causes & kNegativeLimitBit) != 0) {
     if (axis.negative_limit_on && InputActive(axis.negative_limit)) {
-      tell(HappeningKind::kNegativeLimitSwitch);
+      tell(CardEventKind::kNegativeLimitSwitch);
     } else {
-      tell(HappeningKind::kNegativeSoftLimit, axis.soft_negative);
+      tell(CardEventKind::kNegativeSoftLimit, axis.soft_negative);
     }
   }
 }

@@ -27,10 +27,10 @@
 #include <utility>
 
 #include "motion/bus_axes.h"
+#include "motion/card_event.h"
 #include "motion/crd_driver.h"
 #include "motion/cycle_block.h"
 #include "motion/drive_train.h"
-#include "motion/happening.h"
 #include "motion/homing.h"
 #include "motion/lane_uses.h"
 #include "motion/motion_state.h"
@@ -87,7 +87,7 @@ class MotionCore {
   Readings readings() const { return {state(), config_}; }
   /// From now on reports to `observer` what the card does by itself; the observer must not change
   /// the card.
-  void Observe(HappeningObserver observer) { observer_ = std::move(observer); }
+  void Observe(CardEventObserver observer) { observer_ = std::move(observer); }
   /// True if the card has auxiliary encoders (sizes.h).
   bool has_auxiliary() const { return HasAuxiliary(config_); }
   /// True if the card has an encoder with this number: that of an axis, or an auxiliary one.
@@ -326,7 +326,7 @@ class MotionCore {
   void StopAxisAtLimit(const Axis& axis);
   /// Latches the conditions whose causes exist before the first tick, as that tick would.
   void LatchCauses();
-  void Tell(HappeningKind kind, size_t item, double value, double bound = 0) const;
+  void Tell(CardEventKind kind, size_t item, double value, double bound = 0) const;
   /// Reports new causes of stops of an axis.
   void TellCauses(size_t index, uint32_t causes) const;
 
@@ -334,7 +334,7 @@ class MotionCore {
   // The steps of a tick use it as it is, after the lanes have been left. All else begins with
   // state(), or says what it knows of lanes.
   MotionState state_;
-  HappeningObserver observer_;
+  CardEventObserver observer_;
   // Reading the state copies what the lanes hold.
   mutable CycleBlock block_;
 };

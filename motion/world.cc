@@ -1,4 +1,4 @@
-#include "motion/surroundings.h"
+#include "motion/world.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 
 namespace oncard::motion {
 
-void Surroundings::PowerOn(std::shared_ptr<const WorldEvents> events) {
+void World::PowerOn(std::shared_ptr<const WorldEvents> events) {
   state_.world = {std::move(events), 0};
   ApplyEvents();
   for (const PositionSwitch& contact : state_.switches) {
@@ -17,7 +17,7 @@ void Surroundings::PowerOn(std::shared_ptr<const WorldEvents> events) {
   for (Adc& adc : state_.adcs) adc.filtered = adc.volts;
 }
 
-void Surroundings::ApplyEvents() {
+void World::ApplyEvents() {
   WorldProgress& world = state_.world;
   if (world.events == nullptr) return;
   const WorldEvents& events = *world.events;
@@ -28,7 +28,7 @@ void Surroundings::ApplyEvents() {
   }
 }
 
-void Surroundings::Apply(const WorldEvent& event) {
+void World::Apply(const WorldEvent& event) {
   const size_t item = event.item;
   switch (event.kind) {
     case WorldEventKind::kPin:
@@ -80,7 +80,7 @@ void Surroundings::Apply(const WorldEvent& event) {
   }
 }
 
-void Surroundings::ApplyToBus(const WorldEvent& event) {
+void World::ApplyToBus(const WorldEvent& event) {
   bus::Bus& line = state_.bus->line;
   bus::SlaveState& slave = line.slave(event.item);
   switch (event.kind) {
@@ -99,7 +99,7 @@ void Surroundings::ApplyToBus(const WorldEvent& event) {
   }
 }
 
-void Surroundings::DrivePin(const WorldEvent& event) {
+void World::DrivePin(const WorldEvent& event) {
   const auto type = static_cast<DiType>(event.item);
   const bool level = event.value != 0;
   const bool before = (state_.io.Pins(type) >> event.index & 1) != 0;

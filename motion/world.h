@@ -9,9 +9,9 @@
 
 namespace oncard::motion {
 
-class Surroundings {
+class World {
  public:
-  Surroundings(MotionState& state, const MotionConfig& config)
+  World(MotionState& state, const MotionConfig& config)
       : state_(state), readings_(state, config), now_(state.cycle * config.cycle_us) {}
 
   /// The surroundings of a card that is switched on: events at instant 0 have already happened,

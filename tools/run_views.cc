@@ -13,7 +13,7 @@ namespace oncard::tools {
 namespace {
 
 /// What the card did by itself, one line each.
-std::string FormatHappenings(const runtime::Trace& trace, const Invocation& invocation) {
+std::string FormatEvents(const runtime::Trace& trace, const Invocation& invocation) {
   std::string text;
   for (const runtime::TraceMark& mark : trace.marks()) {
     if (!mark.by_card) continue;
@@ -51,7 +51,7 @@ std::string FormatSteps(const runtime::ScenarioResult& result, const explore::Pr
                                        "以上为 {1} 条语句中的前 {0} 条\n", log.steps.size(),
                                        log.executed));
   }
-  if (result.trace) text += FormatHappenings(*result.trace, invocation);
+  if (result.trace) text += FormatEvents(*result.trace, invocation);
   return text + '\n';
 }
 

@@ -55,7 +55,7 @@ void CallLog::Write(const LoggedCall& call) {
 
 void CallLog::Write(int64_t time_us, int card, const Message& what) {
   const std::lock_guard lock(mutex_);
-  AppendHappening(time_us, card, what, language_, &line_);
+  AppendEvent(time_us, card, what, language_, &line_);
   EndLine();
 }
 

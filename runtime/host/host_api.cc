@@ -71,7 +71,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   // The opening of the card is the beginning of the record, its closing the end.
   if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
   CallLog* const log = CallLog::Wanted();
-  const bool counts = code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing;
+  const bool counts = code != vm::kOk && RefusalReportOfProcess() != RefusalReport::kNothing;
   if (log != nullptr || counts) {
     if (log != nullptr) log->Write(made);
     if (counts) HostRefusals::OfProcess().Add(made);

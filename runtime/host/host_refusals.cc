@@ -21,11 +21,11 @@ CardWarnings SilentWarningsOfProcess() {
 
 }  // namespace
 
-RefusalWish RefusalWishOfProcess() {
+RefusalReport RefusalReportOfProcess() {
   const char* setting = std::getenv("ONCARD_REFUSALS");
-  const std::string_view wish = setting == nullptr ? "" : setting;
-  if (wish == "strict") return RefusalWish::kStrict;
-  return wish == "warn" ? RefusalWish::kWarn : RefusalWish::kNothing;
+  const std::string_view wanted = setting == nullptr ? "" : setting;
+  if (wanted == "strict") return RefusalReport::kStrict;
+  return wanted == "warn" ? RefusalReport::kWarn : RefusalReport::kNothing;
 }
 
 HostRefusals& HostRefusals::OfProcess() {

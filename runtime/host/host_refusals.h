@@ -20,13 +20,13 @@
 namespace oncard::runtime {
 
 /// The values of ONCARD_REFUSALS.
-enum class RefusalWish : uint8_t {
+enum class RefusalReport : uint8_t {
   kNothing,
   kWarn,   ///< `warn`: the list is printed
   kStrict  ///< `strict`: the entries of the list are failures
 };
 
-RefusalWish RefusalWishOfProcess();
+RefusalReport RefusalReportOfProcess();
 
 /// So many reasons are told apart for each command and code of a card; reasons with values in them
 /// can be without number.

@@ -112,7 +112,7 @@ void CardWatch::Listen(Controller* controller) {
     controller->ObserveStates([this, controller] { requirements_->ObserveState(*controller); });
   }
   if (trace_files_.empty()) return;
-  controller->ListenToHappenings([this](int64_t time_us, const Message& what) {
+  controller->ListenToEvents([this](int64_t time_us, const Message& what) {
     TraceMark mark = {time_us, what, true};
     if (trace_) {
       trace_->Mark(std::move(mark));
@@ -275,10 +275,10 @@ bool ReportHost() {
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
   if (auto never = NeverChecked(verdict)) verdict.failures.push_back(*std::move(never));
-  const RefusalWish wish = RefusalWishOfProcess();
+  const RefusalReport wanted = RefusalReportOfProcess();
   std::vector<Message> refusals;
-  if (wish != RefusalWish::kNothing) refusals = HostRefusals::OfProcess().Describe();
-  auto& list = wish == RefusalWish::kStrict ? verdict.failures : verdict.warnings;
+  if (wanted != RefusalReport::kNothing) refusals = HostRefusals::OfProcess().Describe();
+  auto& list = wanted == RefusalReport::kStrict ? verdict.failures : verdict.warnings;
   list.insert(list.end(), refusals.begin(), refusals.end());
   if (CallLog::OfProcess().lost()) {
     verdict.failures.push_back(

@@ -93,7 +93,7 @@ int16_t OpenCard(ServiceCall& call) {
   // The log also shows what happens at power-on.
   if (CallLog* log = CallLog::Wanted(); log != nullptr) {
     slot.controller->LogRefusals(log, call.card());
-    slot.controller->LogHappenings(log, call.card());
+    slot.controller->LogEvents(log, call.card());
   }
   if (world != nullptr) {
     slot.watch.emplace(world, call.card(), std::move(trace_files));
@@ -102,7 +102,7 @@ int16_t OpenCard(ServiceCall& call) {
   if (!bare_card) ApplyWorld(opened, slot.controller.get());
   slot.clock.emplace(clock.value());
   slot.FindEarliestEnd();
-  const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
+  const bool collects = RefusalReportOfProcess() != RefusalReport::kNothing;
   if (collects) {
     slot.controller->CollectRefusals(&slot.refused);
     slot.supervisor.emplace(slot.controller.get());

@@ -9,7 +9,7 @@
 
 #include "base/milliseconds.h"
 #include "runtime/observe/moving_axes.h"
-#include "runtime/sim/happening_text.h"
+#include "runtime/sim/card_event_text.h"
 
 namespace oncard::runtime {
 
@@ -37,7 +37,7 @@ struct Supervisor::History {
     CallSite left_out;  ///< a later start of the same caller, without this profile
     CallSite started;   ///< the last start
     /// What has stopped the axis of the same number; nobody has taken note of it yet.
-    std::optional<motion::Happening> stop;
+    std::optional<motion::CardEvent> stop;
     int64_t stopped_us = 0;
   };
   /// Of a periodic thread.
@@ -91,36 +91,36 @@ std::string ListOf(uint32_t mask) {
 }
 
 /// True if a report of the card says why an axis that moved, or whose drive was on, has stopped.
-bool StopsAxis(const motion::MotionCore& core, const motion::Happening& happening) {
-  using motion::HappeningKind;
+bool StopsAxis(const motion::MotionCore& core, const motion::CardEvent& event) {
+  using motion::CardEventKind;
   const motion::MotionState& state = core.state();
-  const size_t item = happening.item;
-  switch (happening.kind) {
+  const size_t item = event.item;
+  switch (event.kind) {
     // An axis moves away from a limit freely; homing goes to limits.
-    case HappeningKind::kPositiveLimitSwitch:
-    case HappeningKind::kPositiveSoftLimit:
+    case CardEventKind::kPositiveLimitSwitch:
+    case CardEventKind::kPositiveSoftLimit:
       return state.axes[item].profile.velocity > 0 && !state.homing[item].running;
-    case HappeningKind::kNegativeLimitSwitch:
-    case HappeningKind::kNegativeSoftLimit:
+    case CardEventKind::kNegativeLimitSwitch:
+    case CardEventKind::kNegativeSoftLimit:
       return state.axes[item].profile.velocity < 0 && !state.homing[item].running;
-    case HappeningKind::kSmoothStopInput:
-    case HappeningKind::kAbruptStopInput:
+    case CardEventKind::kSmoothStopInput:
+    case CardEventKind::kAbruptStopInput:
       return core.AxisMoving(state.axes[item]);
-    case HappeningKind::kAlarm:
+    case CardEventKind::kAlarm:
       return state.axes[item].servo_on;
-    case HappeningKind::kFollowingError:
-    case HappeningKind::kEncoderSilent:
-    case HappeningKind::kGantrySkew:
-    case HappeningKind::kHeldAtLimit:
+    case CardEventKind::kFollowingError:
+    case CardEventKind::kEncoderSilent:
+    case CardEventKind::kGantrySkew:
+    case CardEventKind::kHeldAtLimit:
       return true;
-    case HappeningKind::kMovedByPath:
-    case HappeningKind::kTooFast:
-    case HappeningKind::kTooSteep:
-    case HappeningKind::kStarved:
-    case HappeningKind::kEndedMoving:
-    case HappeningKind::kMoveStopped:
-    case HappeningKind::kCornerLimited:
-    case HappeningKind::kJunctionLimited:
+    case CardEventKind::kMovedByPath:
+    case CardEventKind::kTooFast:
+    case CardEventKind::kTooSteep:
+    case CardEventKind::kStarved:
+    case CardEventKind::kEndedMoving:
+    case CardEventKind::kMoveStopped:
+    case CardEventKind::kCornerLimited:
+    case CardEventKind::kJunctionLimited:
       break;
   }
   return false;
@@ -397,36 +397,36 @@ void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
 
 // --- What the card does by itself ----------------------------------------------------------------
 
-void Supervisor::NoteBeyondLimit(const motion::Happening& happening) {
-  const CallSite& site = history_->profiles[happening.item].started;
-  Key key = KeyOf(CardWarning::kAxisLimit, site, happening.item);
+void Supervisor::NoteBeyondLimit(const motion::CardEvent& event) {
+  const CallSite& site = history_->profiles[event.item].started;
+  Key key = KeyOf(CardWarning::kAxisLimit, site, event.item);
   std::get<std::string>(key) +=
-      happening.kind == motion::HappeningKind::kTooFast ? " velocity" : " acceleration";
-  Add(std::move(key), PlaceOfSite(site), DescribeHappening(happening, controller_.family().advised),
+      event.kind == motion::CardEventKind::kTooFast ? " velocity" : " acceleration";
+  Add(std::move(key), PlaceOfSite(site), DescribeCardEvent(event, controller_.family().advised),
       controller_.NowUs());
 }
 
-void Supervisor::NoteMovedByPath(const motion::Happening& happening) {
+void Supervisor::NoteMovedByPath(const motion::CardEvent& event) {
   const motion::MotionState& state = core().state();
   bool leads = false;
-  motion::ForEachBit(state.axes[happening.item].profile_map, motion::kAxisMax,
+  motion::ForEachBit(state.axes[event.item].profile_map, motion::kAxisMax,
                      [&](size_t profile) { leads = leads || IsMaster(state, profile); });
   if (leads) return;
-  Add({CardWarning::kDriveOff, 0, static_cast<int>(happening.bound),
-       static_cast<int>(happening.item), "path"},
-      {}, DescribeHappening(happening, controller_.family().advised), controller_.NowUs());
+  Add({CardWarning::kDriveOff, 0, static_cast<int>(event.bound), static_cast<int>(event.item),
+       "path"},
+      {}, DescribeCardEvent(event, controller_.family().advised), controller_.NowUs());
 }
 
-void Supervisor::Happened(const motion::Happening& happening) {
-  if (happening.kind == motion::HappeningKind::kMovedByPath) return NoteMovedByPath(happening);
-  if (happening.kind == motion::HappeningKind::kTooFast ||
-      happening.kind == motion::HappeningKind::kTooSteep) {
-    return NoteBeyondLimit(happening);
+void Supervisor::Happened(const motion::CardEvent& event) {
+  if (event.kind == motion::CardEventKind::kMovedByPath) return NoteMovedByPath(event);
+  if (event.kind == motion::CardEventKind::kTooFast ||
+      event.kind == motion::CardEventKind::kTooSteep) {
+    return NoteBeyondLimit(event);
   }
-  if (!StopsAxis(core(), happening)) return;
-  if (history_->profiles[happening.item].stop) return;
-  History::Profile& profile = Present().profiles[happening.item];
-  profile.stop = happening;
+  if (!StopsAxis(core(), event)) return;
+  if (history_->profiles[event.item].stop) return;
+  History::Profile& profile = Present().profiles[event.item];
+  profile.stop = event;
   profile.stopped_us = core().now();
 }
 
@@ -507,7 +507,7 @@ void Supervisor::JudgeStop(size_t index) {
   const History::Profile& profile = history_->profiles[index];
   if (!profile.stop) return;
   Add(KeyOf(CardWarning::kAxisStopped, profile.started, index), PlaceOfSite(profile.started),
-      DescribeHappening(*profile.stop, controller_.family().advised), profile.stopped_us);
+      DescribeCardEvent(*profile.stop, controller_.family().advised), profile.stopped_us);
 }
 
 void Supervisor::JudgeLeftOut(size_t i) {

@@ -66,7 +66,7 @@ class Supervisor final : public CardObserver {
 
   void BeforeCommand(const gtcalls::Call& call) override;
   void AfterCommand(const gtcalls::Call& call, int16_t code) override;
-  void Happened(const motion::Happening& happening) override;
+  void Happened(const motion::CardEvent& event) override;
   void Overran(int thread) override;
   void Reset() override;
 
@@ -120,9 +120,9 @@ class Supervisor final : public CardObserver {
   Key KeyOf(CardWarning warning, const CallSite& site, size_t axis) const;
   CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
   /// An axis begins to move beyond what its drive can follow.
-  void NoteBeyondLimit(const motion::Happening& happening);
+  void NoteBeyondLimit(const motion::CardEvent& event);
   /// A path begins to move an axis whose drive is off.
-  void NoteMovedByPath(const motion::Happening& happening);
+  void NoteMovedByPath(const motion::CardEvent& event);
   void JudgeStop(size_t axis);
   void JudgeLeftOut(size_t profile);
   void JudgeWorkLeft();

@@ -33,7 +33,7 @@ struct TraceSpan {
 };
 
 /// An event at an instant: the host wrote a variable, or the card did something by itself
-/// (happening_text.h).
+/// (card_event_text.h).
 struct TraceMark {
   int64_t time_us = 0;
   Message text;

@@ -32,10 +32,10 @@ class ScenarioRunner {
   Result<ScenarioResult> Run(vm::Object object) {
     if (options_.log != nullptr) {
       controller_.LogRefusals(options_.log, 0);
-      controller_.LogHappenings(options_.log, 0);
+      controller_.LogEvents(options_.log, 0);
     }
     controller_.CollectRefusals(&refused_);
-    if (options_.trace) KeepHappenings();
+    if (options_.trace) KeepEvents();
     auto started = StartScenario(scenario_, std::move(object), &controller_, &fit_);
     if (!started.ok()) return started.error();
     if (const auto policy = SetUpPolicy(); !policy.ok()) {
@@ -136,8 +136,8 @@ class ScenarioRunner {
   }
 
   // Adds what the card does by itself to the trace; events before the trace begins are kept for it.
-  void KeepHappenings() {
-    controller_.ListenToHappenings([this](int64_t time_us, const Message& what) {
+  void KeepEvents() {
+    controller_.ListenToEvents([this](int64_t time_us, const Message& what) {
       TraceMark mark = {time_us, what, true};
       if (result_.trace) {
         result_.trace->Mark(std::move(mark));

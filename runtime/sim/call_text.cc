@@ -223,8 +223,8 @@ void AppendCall(const LoggedCall& call, Language language, std::string* line) {
   if (call.code == 0 && why.empty()) AppendOutputs(call.command, call.arguments, line);
 }
 
-void AppendHappening(int64_t time_us, int card, const Message& what, Language language,
-                     std::string* line) {
+void AppendEvent(int64_t time_us, int card, const Message& what, Language language,
+                 std::string* line) {
   AppendPlace(time_us, card, line);
   *line += ": ";
   *line += what.In(language);

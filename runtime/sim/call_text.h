@@ -51,8 +51,8 @@ std::string FormatOutputs(const gtcalls::Command& command,
 void AppendCall(const LoggedCall& call, Language language, std::string* line);
 
 /// Appends the line of something that a card did by itself, without its end.
-void AppendHappening(int64_t time_us, int card, const Message& what, Language language,
-                     std::string* line);
+void AppendEvent(int64_t time_us, int card, const Message& what, Language language,
+                 std::string* line);
 
 /// Takes note of calls, and of what cards do by themselves. A card that has one writes to it while
 /// it runs.

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "gtcalls/card.h"
-#include "motion/happening.h"
+#include "motion/card_event.h"
 
 namespace oncard::runtime {
 
 class CardObserver : public gtcalls::CommandObserver {
  public:
-  /// Something that the card did by itself (motion/happening.h).
-  virtual void Happened(const motion::Happening& happening) = 0;
+  /// Something that the card did by itself (motion/card_event.h).
+  virtual void Happened(const motion::CardEvent& event) = 0;
   /// A periodic thread has to start anew and still runs.
   virtual void Overran(int thread) = 0;
   /// The card has been reset.

@@ -24,7 +24,7 @@
 
 #include "base/milliseconds.h"
 #include "motion/common/state_hash.h"
-#include "runtime/sim/happening_text.h"
+#include "runtime/sim/card_event_text.h"
 #include "vm/object_reader.h"
 
 namespace oncard::runtime {
@@ -57,22 +57,22 @@ void Controller::LogRefusals(CardLog* log, int card) {
   });
 }
 
-void Controller::LogHappenings(CardLog* log, int card) {
-  ListenToHappenings(
+void Controller::LogEvents(CardLog* log, int card) {
+  ListenToEvents(
       [log, card](int64_t time_us, const Message& what) { log->Write(time_us, card, what); });
 }
 
-void Controller::ListenToHappenings(HappeningListener listener) {
-  happening_listeners_.push_back(std::move(listener));
-  PassHappeningsOn();
+void Controller::ListenToEvents(EventListener listener) {
+  event_listeners_.push_back(std::move(listener));
+  PassEventsOn();
 }
 
-void Controller::PassHappeningsOn() {
-  motion_.Observe([this](const motion::Happening& happening) {
-    if (observer_ != nullptr) observer_->Happened(happening);
-    if (happening_listeners_.empty()) return;
-    const Message what = DescribeHappening(happening, family().advised);
-    for (const HappeningListener& each : happening_listeners_) each(motion_.now(), what);
+void Controller::PassEventsOn() {
+  motion_.Observe([this](const motion::CardEvent& event) {
+    if (observer_ != nullptr) observer_->Happened(event);
+    if (event_listeners_.empty()) return;
+    const Message what = DescribeCardEvent(event, family().advised);
+    for (const EventListener& each : event_listeners_) each(motion_.now(), what);
   });
 }
 
@@ -82,7 +82,7 @@ void Controller::ObserveWith(CardObserver* observer) {
   machine_.ObserveOverruns(observer == nullptr
                                ? std::function<void(int)>()
                                : [observer](int thread) { observer->Overran(thread); });
-  PassHappeningsOn();
+  PassEventsOn();
 }
 
 void Controller::CollectRefusals(RefusedCommands* refused) {

@@ -73,11 +73,11 @@ class Controller {
   /// outlive the controller.
   void LogRefusals(CardLog* log, int card);
   /// The same for what the card does by itself: stops, paths that run out of segments
-  /// (happening_text.h).
-  void LogHappenings(CardLog* log, int card);
+  /// (card_event_text.h).
+  void LogEvents(CardLog* log, int card);
   /// From now on reports to the observer what the card does by itself, and the time in us.
-  using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
-  void ListenToHappenings(HappeningListener listener);
+  using EventListener = std::function<void(int64_t time_us, const Message& what)>;
+  void ListenToEvents(EventListener listener);
   /// From now on shows the observer what the card does; nullptr ends this. It must exist until
   /// then. There is one at a time.
   void ObserveWith(CardObserver* observer);
@@ -175,7 +175,7 @@ class Controller {
  private:
   void ObserveRefusals(gtcalls::RefusalObserver observer);
   /// Lets the motion core report to all who listen.
-  void PassHappeningsOn();
+  void PassEventsOn();
   /// The threads' part of a cycle, with the observer and the host.
   void ExecuteInParts(int64_t budget);
   /// Runs at least one and at most `limit` cycles, after which motion may be late; returns their
@@ -197,7 +197,7 @@ class Controller {
   vm::Machine machine_;
   gtcalls::Card card_;
   std::vector<gtcalls::RefusalObserver> refusal_observers_;
-  std::vector<HappeningListener> happening_listeners_;
+  std::vector<EventListener> event_listeners_;
   CardObserver* observer_ = nullptr;
   std::function<void()> state_observer_;
   CycleHost cycle_host_;

@@ -14,25 +14,25 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-using Kinds = std::vector<HappeningKind>;
+using Kinds = std::vector<CardEventKind>;
 
 /// Axis 1 accelerates by 0.5 pulse/ms^2 to 10 pulse/ms, in 20 ms, and slows down as fast.
 struct LimitedRun {
   explicit LimitedRun(const DriveLimits& limits) {
     core.WatchLimits(0, limits);
-    core.Observe([this](const Happening& happening) { happenings.push_back(happening); });
+    core.Observe([this](const CardEvent& event) { events.push_back(event); });
     core.ServoOn(0);
     core.state().profiles[0].jog.parameters = {.acc = 0.5, .dec = 0.5};
     Jog(core, 10);
   }
   Kinds kinds() const {
     Kinds kinds;
-    for (const Happening& happening : happenings) kinds.push_back(happening.kind);
+    for (const CardEvent& event : events) kinds.push_back(event.kind);
     return kinds;
   }
 
   MotionCore core{{.cycle_us = 1000}};
-  std::vector<Happening> happenings;
+  std::vector<CardEvent> events;
 };
 
 TEST(DriveLimits, TheVelocityIsReportedOnceWhenItBecomesTooHigh) {
@@ -40,21 +40,21 @@ TEST(DriveLimits, TheVelocityIsReportedOnceWhenItBecomesTooHigh) {
   Ticks(run.core, 8);
   EXPECT_THAT(run.kinds(), IsEmpty());
   Ticks(run.core, 100);
-  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooFast));
-  EXPECT_EQ(run.happenings[0].item, 0u);
-  EXPECT_NEAR(run.happenings[0].value, 4.5, 1e-9);
-  EXPECT_EQ(run.happenings[0].bound, 4);
+  ASSERT_THAT(run.kinds(), ElementsAre(CardEventKind::kTooFast));
+  EXPECT_EQ(run.events[0].item, 0u);
+  EXPECT_NEAR(run.events[0].value, 4.5, 1e-9);
+  EXPECT_EQ(run.events[0].bound, 4);
 }
 
 TEST(DriveLimits, TheChangeOfVelocityIsReportedWhenItBegins) {
   LimitedRun run({.acceleration = 0.25});
   Ticks(run.core, 100);
-  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep));
-  EXPECT_NEAR(run.happenings[0].value, 0.5, 1e-9);
+  ASSERT_THAT(run.kinds(), ElementsAre(CardEventKind::kTooSteep));
+  EXPECT_NEAR(run.events[0].value, 0.5, 1e-9);
   Jog(run.core, -10);
   Ticks(run.core, 100);
-  EXPECT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep, HappeningKind::kTooSteep));
-  EXPECT_NEAR(run.happenings[1].value, -0.5, 1e-9);
+  EXPECT_THAT(run.kinds(), ElementsAre(CardEventKind::kTooSteep, CardEventKind::kTooSteep));
+  EXPECT_NEAR(run.events[1].value, -0.5, 1e-9);
 }
 
 TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
@@ -64,46 +64,46 @@ TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
   // 10 pulse/ms to 0 within a cycle.
   run.core.state().profiles[0].Stop(run.core.now(), 1000);
   Ticks(run.core, 1);
-  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep));
-  EXPECT_NEAR(run.happenings[0].value, -10, 1e-9);
+  ASSERT_THAT(run.kinds(), ElementsAre(CardEventKind::kTooSteep));
+  EXPECT_NEAR(run.events[0].value, -10, 1e-9);
 }
 
 TEST(DriveLimits, ARampThatBeginsWithinACycleIsTooSteep) {
   CrdRunTest test;
   test.core.WatchLimits(0, {.acceleration = 5});
-  std::vector<Happening> happenings;
-  test.core.Observe([&](const Happening& happening) { happenings.push_back(happening); });
+  std::vector<CardEvent> events;
+  test.core.Observe([&](const CardEvent& event) { events.push_back(event); });
   // 10 pulse/ms is reached at 100, after 20 ms, and the first line ends at 20.5 ms. The second one
   // gains 4 pulse/ms up to the end of that cycle, and slows down from 20 pulse/ms to rest.
   ASSERT_TRUE(test.Line({105}, 10, 0.5, 10));
   ASSERT_TRUE(test.Line({500}, 20, 8));
   test.Start();
   test.RunUntil(20);
-  EXPECT_THAT(happenings, IsEmpty());
+  EXPECT_THAT(events, IsEmpty());
   test.RunUntil(21);
-  ASSERT_EQ(happenings.size(), 1u);
-  EXPECT_EQ(happenings[0].kind, HappeningKind::kTooSteep);
-  EXPECT_NEAR(happenings[0].value, 8, 1e-9);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, CardEventKind::kTooSteep);
+  EXPECT_NEAR(events[0].value, 8, 1e-9);
   test.TicksToEnd();
-  ASSERT_EQ(happenings.size(), 2u);
-  EXPECT_NEAR(happenings[1].value, -8, 1e-9);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_NEAR(events[1].value, -8, 1e-9);
 }
 
 TEST(DriveLimits, ACornerIsTooSteepForTheAxisThatTurnsAwayAndTheOneThatBegins) {
   CrdRunTest test;
   for (size_t axis = 0; axis < 2; ++axis) test.core.WatchLimits(axis, {.acceleration = 1});
-  std::vector<Happening> happenings;
-  test.core.Observe([&](const Happening& happening) { happenings.push_back(happening); });
+  std::vector<CardEvent> events;
+  test.core.Observe([&](const CardEvent& event) { events.push_back(event); });
   // 10 pulse/ms is reached at 100, after 20 ms, and the corner after 21 ms.
   ASSERT_TRUE(test.Line({110}, 10, 0.5, 10));
   ASSERT_TRUE(test.Line({110, 200}, 10, 0.5));
   test.Start();
   test.TicksToEnd();
-  ASSERT_EQ(happenings.size(), 2u);
-  EXPECT_EQ(happenings[0].item, 0u);
-  EXPECT_NEAR(happenings[0].value, -10, 1e-9);
-  EXPECT_EQ(happenings[1].item, 1u);
-  EXPECT_NEAR(happenings[1].value, 10, 1e-9);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].item, 0u);
+  EXPECT_NEAR(events[0].value, -10, 1e-9);
+  EXPECT_EQ(events[1].item, 1u);
+  EXPECT_NEAR(events[1].value, 10, 1e-9);
 }
 
 TEST(DriveLimits, AreNotExceededByAMotionAtThem) {

@@ -27,10 +27,8 @@ class Twins {
   explicit Twins(uint64_t seed) : Twins(RandomCard(seed), RandomCard(seed)) {}
   Twins(std::unique_ptr<MotionCore> ticks, std::unique_ptr<MotionCore> lanes)
       : ticks_(std::move(ticks)), lanes_(std::move(lanes)) {
-    ticks_->Observe(
-        [this](const Happening& happening) { happened_[0] += Text(happening, *ticks_); });
-    lanes_->Observe(
-        [this](const Happening& happening) { happened_[1] += Text(happening, *lanes_); });
+    ticks_->Observe([this](const CardEvent& event) { happened_[0] += Text(event, *ticks_); });
+    lanes_->Observe([this](const CardEvent& event) { happened_[1] += Text(event, *lanes_); });
   }
 
   MotionCore& ticks() { return *ticks_; }
@@ -54,10 +52,9 @@ class Twins {
   }
 
  private:
-  static std::string Text(const Happening& happening, const MotionCore& core) {
-    return std::to_string(core.state().cycle) + ":" +
-           std::to_string(static_cast<int>(happening.kind)) + "/" + std::to_string(happening.item) +
-           "=" + std::to_string(happening.value) + " ";
+  static std::string Text(const CardEvent& event, const MotionCore& core) {
+    return std::to_string(core.state().cycle) + ":" + std::to_string(static_cast<int>(event.kind)) +
+           "/" + std::to_string(event.item) + "=" + std::to_string(event.value) + " ";
   }
 
   std::unique_ptr<MotionCore> ticks_;

@@ -1,5 +1,5 @@
 // The log lines about what a card does by itself, each caused on a card.
-#include "runtime/sim/happening_text.h"
+#include "runtime/sim/card_event_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using motion::MotionCore;
 /// A card with 1 ms cycles and its log lines.
 struct TalkingCard {
   TalkingCard() {
-    core.Observe([this](const motion::Happening& happening) {
-      const Message message = DescribeHappening(happening, gtcalls::GtsFamily().advised);
+    core.Observe([this](const motion::CardEvent& event) {
+      const Message message = DescribeCardEvent(event, gtcalls::GtsFamily().advised);
       EXPECT_EQ(message.zh.empty(), message.en.empty());
       said.push_back(message.en);
     });
@@ -61,7 +61,7 @@ struct TalkingCard {
 
 using Lines = std::vector<std::string>;
 
-TEST(Happening, ASoftLimitIsSaidOnce) {
+TEST(CardEvent, ASoftLimitIsSaidOnce) {
   TalkingCard card;
   card.core.state().axes[0].soft_positive = 95;
   card.Jog(0, 10);
@@ -76,7 +76,7 @@ TEST(Happening, ASoftLimitIsSaidOnce) {
                               "direction until GT_ClrSts"}));
 }
 
-TEST(Happening, InputsThatStopAnAxis) {
+TEST(CardEvent, InputsThatStopAnAxis) {
   struct Case {
     motion::DiType type;
     std::string_view line;
@@ -103,7 +103,7 @@ TEST(Happening, InputsThatStopAnAxis) {
   }
 }
 
-TEST(Happening, AFollowingErrorAndASkew) {
+TEST(CardEvent, AFollowingErrorAndASkew) {
   TalkingCard card;
   card.core.state().controls[0].error_limit = 25;
   card.core.state().plants[0].stalled = true;
@@ -121,7 +121,7 @@ TEST(Happening, AFollowingErrorAndASkew) {
                                 "(GT_SetGantryErrLmt): both drives are switched off"}));
 }
 
-TEST(Happening, ASlaveThatIsHeld) {
+TEST(CardEvent, ASlaveThatIsHeld) {
   TalkingCard card;
   card.core.state().axes[1].latched = motion::kPositiveLimitBit;
   motion::Profile& slave = card.core.state().profiles[1];
@@ -133,7 +133,7 @@ TEST(Happening, ASlaveThatIsHeld) {
   EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it would move towards a latched limit"}));
 }
 
-TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
+TEST(CardEvent, APathThatRunsDryAndAPathThatWaits) {
   TalkingCard card;
   card.SetUpPath();
   ASSERT_TRUE(card.Line({1000, 0}, 5));
@@ -160,7 +160,7 @@ TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
   EXPECT_NEAR(card.core.state().profiles[4].now.position, place, 1);
 }
 
-TEST(Happening, AnAxisThatAPathMovesWhileItsDriveIsOff) {
+TEST(CardEvent, AnAxisThatAPathMovesWhileItsDriveIsOff) {
   TalkingCard card;
   card.SetUpPath();
   motion::PathSlot command;
@@ -177,7 +177,7 @@ TEST(Happening, AnAxisThatAPathMovesWhileItsDriveIsOff) {
                               "its drive is off, call GT_AxisOn first"}));
 }
 
-TEST(Happening, WhatLookAheadDoes) {
+TEST(CardEvent, WhatLookAheadDoes) {
   TalkingCard card;
   card.SetUpPath();
   motion::LookAhead& look_ahead = card.core.state().crds[0].fifos[0].look_ahead;
@@ -204,7 +204,7 @@ TEST(Happening, WhatLookAheadDoes) {
             "look-ahead buffer, call GT_CrdData with NULL until it returns 0");
 }
 
-TEST(Happening, WhatTheMultiAxisLookAheadDoes) {
+TEST(CardEvent, WhatTheMultiAxisLookAheadDoes) {
   TalkingCard card;
   card.SetUpPath();
   motion::PathLimits limits;
@@ -220,14 +220,14 @@ TEST(Happening, WhatTheMultiAxisLookAheadDoes) {
   EXPECT_THAT(card.said[0], HasSubstr("of 100 pulse/ms, limited by synAcc or DVMax"));
 }
 
-TEST(Happening, AdvisesCommandsOfTheFamily) {
-  const Message message = DescribeHappening({.kind = motion::HappeningKind::kFollowingError},
+TEST(CardEvent, AdvisesCommandsOfTheFamily) {
+  const Message message = DescribeCardEvent({.kind = motion::CardEventKind::kFollowingError},
                                             {.following_error_limit = "TT_SetLimit"});
   EXPECT_THAT(message.en, HasSubstr("its limit is 0 (TT_SetLimit)"));
   EXPECT_THAT(message.zh, HasSubstr("超过 TT_SetLimit 设定的极限"));
 }
 
-TEST(Happening, IsNoPartOfTheState) {
+TEST(CardEvent, IsNoPartOfTheState) {
   TalkingCard card;
   MotionCore silent({.axis_count = 8, .cycle_us = 1000});
   for (const size_t axis : {size_t{0}, size_t{1}}) silent.ServoOn(axis);

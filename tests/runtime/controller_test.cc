@@ -560,7 +560,7 @@ TEST(ControllerTest, AStopOfTheCardIsLoggedWithItsInstant) {
   Controller controller;
   testing::internal::CaptureStderr();
   CallLog log("calls", Language::kChinese);
-  controller.LogHappenings(&log, 1);
+  controller.LogEvents(&log, 1);
   controller.motion().state().axes[2].soft_negative = 10;
   controller.AdvanceUs(500);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),

@@ -37,7 +37,7 @@ std::vector<std::string> Scenarios() {
 class StartedCard {
  public:
   StartedCard(const Scenario& scenario, const vm::Policy& policy) : card_(CardOptions(scenario)) {
-    card_.ListenToHappenings([this](int64_t time_us, const Message& what) {
+    card_.ListenToEvents([this](int64_t time_us, const Message& what) {
       report_ += std::to_string(time_us) + " " + what.en + "\n";
     });
     card_.CollectRefusals(&refused_);
