@@ -12,7 +12,7 @@
 // Any consistent units. Pure functions; deterministic: only basic arithmetic, square roots and
 // SineAndCosine. Nothing is allocated but by PlanCurve, if the vector has no capacity for
 // kCurveNodeMax numbers. Source: manual of the multi-axis look-ahead module, aMax and vMax of
-// TLookAheadParameter. Tested by tests/motion/curved_span_test.cc.
+// TLookAheadParameter. Tested by tests/motion/path_optimum_test.cc and planned_run_test.cc.
 #pragma once
 
 #include <cstddef>
