@@ -175,8 +175,7 @@ bool CycleBlock::Load() {
 }
 
 bool CycleBlock::FollowPlans() const {
-  if (std::ranges::any_of(state_.crds, [](const Crd& crd) { return crd.run.running; }))
-    return false;
+  if (readings_.PathRuns()) return false;
   return std::all_of(state_.profiles.begin(), state_.profiles.begin() + config_.axis_count,
                      [](const Profile& profile) {
                        return !profile.now.moving || profile.driven || FollowsPlan(profile);

@@ -82,10 +82,6 @@ int64_t MotionCore::AdvanceBesideProfiles(int64_t cycles) {
   return done;
 }
 
-bool MotionCore::PathRuns() const {
-  return std::ranges::any_of(state_.crds, [](const Crd& crd) { return crd.run.running; });
-}
-
 bool MotionCore::EncodersAreRead() const {
   const auto reads = [](const Profile& profile) {
     const Master* master = profile.FollowedMaster();

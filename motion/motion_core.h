@@ -219,7 +219,7 @@ class MotionCore {
   /// Begins or resumes a run; with `single_step` it ends after one segment.
   void StartCrd(size_t crd, size_t fifo, bool single_step) { driver(crd).Start(fifo, single_step); }
   /// True if a coordinate system runs.
-  bool PathRuns() const;
+  bool PathRuns() const { return unlaned().PathRuns(); }
   /// Stops a run along its path.
   void StopCrd(size_t crd, bool abrupt) { driver(crd).Stop(abrupt); }
 

@@ -3,6 +3,7 @@
 // encoder_test.cc.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,10 @@ class Readings {
   MasterValue PlannedAxis(const Axis& axis) const;
   /// The current sample of a master.
   MasterValue ValueOf(const Master& master) const;
+  /// True if a coordinate system runs.
+  bool PathRuns() const {
+    return std::ranges::any_of(state_.crds, [](const Crd& crd) { return crd.run.running; });
+  }
   /// True for a slave whose master is planned by a coordinate system.
   bool FollowsCrd(const Profile& profile) const;
 
