@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/files.h"
+#include "tests/docs/own_files.h"
 #include "tests/docs/page.h"
 
 namespace oncard::docs {
@@ -20,19 +21,6 @@ using ::testing::SizeIs;
 namespace fs = std::filesystem;
 
 const fs::path kRoot = ONCARD_SOURCE_DIR;
-
-// The pages of the repository itself, without those in hidden folders, build trees and packages of
-// others.
-std::vector<fs::path> Pages() {
-  std::vector<fs::path> pages;
-  for (fs::recursive_directory_iterator entry(kRoot), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename();
-    const bool foreign = name == "build" || name == "node_modules";
-    if (name.starts_with('.') || foreign) entry.disable_recursion_pending();
-    if (entry->path().extension() == ".md") pages.push_back(entry->path());
-  }
-  return pages;
-}
 
 std::vector<std::string> FoldersOf(const std::string& readme) {
   static const std::regex kRow(R"(\n\| `([a-z/]+)/` \|)");
@@ -55,7 +43,7 @@ TEST(LinksTest, AreThoseOutsideOfCode) {
 
 TEST(LinksTest, LeadToFiles) {
   size_t links = 0;
-  for (const fs::path& page : Pages()) {
+  for (const fs::path& page : OwnFiles(".md")) {
     for (const std::string& link : Links(ReadFile(page).value())) {
       ++links;
       EXPECT_TRUE(fs::exists(page.parent_path() / link)) << page << " leads to " << link;
@@ -73,8 +61,8 @@ std::vector<size_t> HeadlessTables(const std::string& page) {
   bool begins = false;
   bool is_code = false;
   for (size_t number = 1; std::getline(text, line); ++number) {
-    if (begins && !line.starts_with("|--") && !line.starts_with("| --"))
-      lines.push_back(number - 1);
+    const bool headed = line.starts_with("|--") || line.starts_with("| --");
+    if (begins && !headed) lines.push_back(number - 1);
     if (line.starts_with("```")) is_code = !is_code;
     begins = !is_code && line.starts_with("|") && !before.starts_with("|");
     before = line;
@@ -89,7 +77,7 @@ TEST(TablesTest, AreCutByABlankLine) {
 }
 
 TEST(TablesTest, HaveHeadings) {
-  for (const fs::path& page : Pages()) {
+  for (const fs::path& page : OwnFiles(".md")) {
     EXPECT_THAT(HeadlessTables(ReadFile(page).value()), IsEmpty()) << page;
   }
 }

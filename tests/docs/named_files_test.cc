@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/files.h"
+#include "tests/docs/own_files.h"
 
 namespace oncard::docs {
 namespace {
@@ -18,19 +19,6 @@ using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
 const fs::path kRoot = ONCARD_SOURCE_DIR;
-
-/// The project's own files with this ending, without those in hidden folders, build trees and
-/// packages of others.
-std::vector<fs::path> FilesWithEnding(const std::string& ending) {
-  std::vector<fs::path> files;
-  for (fs::recursive_directory_iterator entry(kRoot), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename();
-    const bool foreign = name == "build" || name == "node_modules";
-    if (name.starts_with('.') || foreign) entry.disable_recursion_pending();
-    if (entry->path().extension() == ending) files.push_back(entry->path());
-  }
-  return files;
-}
 
 /// The first group of each match.
 std::set<std::string> Matches(const std::string& text, const std::regex& pattern) {
@@ -58,7 +46,7 @@ TEST(NamedFiles, AreLookedForFromTheRootAndFromTheFolder) {
 }
 
 TEST(NamedFiles, OfPagesExist) {
-  for (const fs::path& page : FilesWithEnding(".md")) {
+  for (const fs::path& page : OwnFiles(".md")) {
     EXPECT_THAT(MissingFiles(ReadFile(page).value(), page.parent_path()), IsEmpty()) << page;
   }
 }
@@ -66,7 +54,7 @@ TEST(NamedFiles, OfPagesExist) {
 TEST(NamedFiles, ThatTestAHeaderExist) {
   static const std::regex kTest(R"(Tested by(?:\n//)? (tests/[a-z0-9_/]+\.cc))");
   size_t tests = 0;
-  for (const fs::path& header : FilesWithEnding(".h")) {
+  for (const fs::path& header : OwnFiles(".h")) {
     for (const std::string& test : Matches(ReadFile(header).value(), kTest)) {
       ++tests;
       EXPECT_TRUE(fs::exists(kRoot / test)) << header << " names " << test;
