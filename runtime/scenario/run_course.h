@@ -1,6 +1,6 @@
 // The course of a scenario's run: what happens at the boundary of two profile cycles, in which
-// order, and when the run is over. Whoever drives a card asks here: a run, a session, the search of
-// interleavings and, for the bounds, the watch of a host's card.
+// order, and when the run is over. A run and a session take their course from here; the search of
+// interleavings and the watch of a host's card, which have checks of their own, the bounds.
 //
 // At a boundary the expectations with this instant are evaluated, then the host writes its
 // variables. Then the run is over
