@@ -51,13 +51,13 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   }
   auto requirements = ReadSources(sources, &scenario);
   if (!requirements.ok()) return requirements.error();
-  runtime::ScenarioFit fit;
-  CheckCardSearch(scenario, options, &fit);
+  runtime::ScenarioErrors errors;
+  CheckCardSearch(scenario, options, &errors);
   for (const auto& program : calls->programs()) {
-    runtime::SyncGlobals(scenario, program->object, &fit);
+    runtime::SyncGlobals(scenario, program->object, &errors);
   }
-  auto model =
-      CardModel::CreateFromCalls(scenario, requirements.value(), std::move(calls), std::move(fit));
+  auto model = CardModel::CreateFromCalls(scenario, requirements.value(), std::move(calls),
+                                          std::move(errors));
   if (!model.ok()) return model.error();
   CardModel& card = model.value();
   scenario.program = sources.empty() ? path : sources.front().path;

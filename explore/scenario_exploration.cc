@@ -91,10 +91,10 @@ runtime::TextPlace PlaceOfEngine(const runtime::Scenario& scenario, EngineKind e
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
-  runtime::ScenarioFit fit;
-  CheckCardSearch(scenario, options, &fit);
-  runtime::SyncGlobals(scenario, object, &fit);
-  auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(fit));
+  runtime::ScenarioErrors errors;
+  CheckCardSearch(scenario, options, &errors);
+  runtime::SyncGlobals(scenario, object, &errors);
+  auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(errors));
   if (!model.ok()) return model.error();
   Exploration exploration = ExploreCard(&model.value(), options);
   std::vector<Message> untested = model.value().Untested();
@@ -183,23 +183,23 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
 }
 
 void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
-                     runtime::ScenarioFit* fit) {
+                     runtime::ScenarioErrors* errors) {
   if (options.engine == EngineKind::kDpor) {
-    fit->Add(
+    errors->Add(
         PlaceOfEngine(scenario, options.engine),
         {"time and the card are part of the states here: use the engine stateful, bounded, random, "
          "pct or pos",
          "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎"});
   }
   if (options.merge_private) {
-    fit->Add({}, {"with the card every statement takes time: none can be merged",
-                  "带控制卡时每条语句都占用时间：不能合并"});
+    errors->Add({}, {"with the card every statement takes time: none can be merged",
+                     "带控制卡时每条语句都占用时间：不能合并"});
   }
   if (scenario.races != runtime::Scenario{}.races) {
-    fit->Add(runtime::PlaceOfText(scenario, "races"),
-             {"data races are found only in programs without GT commands: explore the functions "
-              "without GT commands separately",
-              "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
+    errors->Add(runtime::PlaceOfText(scenario, "races"),
+                {"data races are found only in programs without GT commands: explore the functions "
+                 "without GT commands separately",
+                 "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
   }
 }
 
@@ -209,21 +209,21 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   for (const runtime::Expectation& expectation : scenario.expectations) {
     all.push_back({Scope::kFinal, expectation.text(), expectation.place});
   }
-  runtime::ScenarioFit fit;
+  runtime::ScenarioErrors errors;
   runtime::Controller controller(runtime::CardOptions(scenario));
-  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &errors);
   if (!started.ok()) return started.error();
-  runtime::TraceQuantities(scenario, controller, &fit);
-  SyncCells sync = runtime::SyncGlobals(scenario, controller.machine().image()->object, &fit);
+  runtime::TraceQuantities(scenario, controller, &errors);
+  SyncCells sync = runtime::SyncGlobals(scenario, controller.machine().image()->object, &errors);
   auto model = Model::Create(controller.machine());
   if (!model.ok()) {
     // Binding a thread may have failed: the other problems are reported all the same.
-    runtime::ReadRequirements<runtime::CardCondition>(all, controller, &fit);
-    if (auto failure = fit.Failure()) return *std::move(failure);
+    runtime::ReadRequirements<runtime::CardCondition>(all, controller, &errors);
+    if (auto failure = errors.Failure()) return *std::move(failure);
     return model.error();
   }
-  Problem problem = BindProblem(std::move(model).value(), all, &fit);
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  Problem problem = BindProblem(std::move(model).value(), all, &errors);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   problem.sync = std::move(sync);
   problem.races = *RaceRuleNamed(scenario.races);
   return problem;

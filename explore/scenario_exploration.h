@@ -40,7 +40,7 @@ CardConditions CardConditionsOf(const runtime::Scenario& scenario);
 
 /// What an exploration with a card cannot do: engines, merged statements, races.
 void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
-                     runtime::ScenarioFit* fit);
+                     runtime::ScenarioErrors* errors);
 
 /// Checks only one schedule: follows it as far as the current program can
 /// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if the

@@ -5,16 +5,16 @@
 
 #include "runtime/observe/statement_access.h"
 #include "runtime/observe/step_log.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 
 namespace oncard::session {
 
 Result<RaceWatch> RaceWatch::Create(const runtime::Scenario& scenario,
                                     const runtime::Controller& controller) {
   const vm::Object& object = controller.machine().image()->object;
-  runtime::ScenarioFit fit;
-  std::vector<bool> sync = runtime::SyncGlobals(scenario, object, &fit);
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  runtime::ScenarioErrors errors;
+  std::vector<bool> sync = runtime::SyncGlobals(scenario, object, &errors);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   const std::vector<bool> awaited = runtime::AwaitedGlobals(object, controller.family().catalogue);
   sync.resize(std::max(sync.size(), awaited.size()));
   for (size_t slot = 0; slot < awaited.size(); ++slot) {

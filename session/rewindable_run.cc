@@ -64,22 +64,22 @@ Result<std::unique_ptr<RewindableRun>> RewindableRun::Create(
 
 Result<void> RewindableRun::Start(vm::Object object, std::shared_ptr<const vm::Schedule> schedule) {
   controller_.LogRefusals(&log_, 0);
-  runtime::ScenarioFit fit;
-  auto started = runtime::StartScenario(scenario_, std::move(object), &controller_, &fit);
+  runtime::ScenarioErrors errors;
+  auto started = runtime::StartScenario(scenario_, std::move(object), &controller_, &errors);
   if (!started.ok()) return started;
-  course_.Read(scenario_, &controller_, &fit);
+  course_.Read(scenario_, &controller_, &errors);
   if (!scenario_.schedule.starts_with(runtime::kReplayPrefix)) {
     auto policy = vm::ParsePolicy(scenario_.schedule);
     if (policy.ok()) {
       own_policy_ = std::move(policy).value();
     } else {
-      fit.Add(runtime::PlaceOfText(scenario_, "schedule"), policy.error().message);
+      errors.Add(runtime::PlaceOfText(scenario_, "schedule"), policy.error().message);
     }
   } else if (schedule == nullptr) {
-    fit.Add(runtime::PlaceOfText(scenario_, "schedule"),
-            {"the schedule file must be given with the scenario", "调度文件必须随场景一起给出"});
+    errors.Add(runtime::PlaceOfText(scenario_, "schedule"),
+               {"the schedule file must be given with the scenario", "调度文件必须随场景一起给出"});
   }
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   controller_.machine().SetPolicy(own_policy_);
   if (schedule != nullptr) {
     const auto replay = runtime::FollowSchedule(std::move(schedule), image());

@@ -83,10 +83,11 @@ bool StartedNow(const vm::ThreadState& thread, int64_t cycle, bool of_scenario) 
 
 Result<Stops> Stops::Create(const RewindableRun& run) {
   Stops stops;
-  runtime::ScenarioFit fit;
+  runtime::ScenarioErrors errors;
   const auto requirements = runtime::RequirementsOf(run.scenario());
-  auto conditions = runtime::ReadRequirements<CardCondition>(requirements, run.controller(), &fit);
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  auto conditions =
+      runtime::ReadRequirements<CardCondition>(requirements, run.controller(), &errors);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   for (size_t i = 0; i < requirements.size(); ++i) {
     const runtime::Scope scope = requirements[i].scope;
     auto& list = scope == runtime::Scope::kFinal        ? stops.final_

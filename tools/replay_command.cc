@@ -97,8 +97,8 @@ int Replay(const ReplayArguments& arguments, const Invocation& invocation) {
   if (loaded != kExitOk) return loaded;
 
   if (arguments.tolerant) {
-    const auto fits = runtime::FitWithRequirements(scenario.value(), *load.object);
-    if (!fits.ok()) return Fail(invocation, kExitFailed, fits.error().message);
+    const auto checked = runtime::CheckWithRequirements(scenario.value(), *load.object);
+    if (!checked.ok()) return Fail(invocation, kExitFailed, checked.error().message);
     schedule = Adapt(scenario.value(), load, schedule.value(), invocation);
     if (!schedule.ok()) return Fail(invocation, kExitFailed, schedule.error().message);
   }

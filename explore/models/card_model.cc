@@ -78,20 +78,20 @@ CardModel::CardModel(const runtime::Scenario& scenario)
 
 Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
                                     const std::vector<Requirement>& requirements, vm::Object object,
-                                    runtime::ScenarioFit fit) {
+                                    runtime::ScenarioErrors errors) {
   CardModel model(scenario);
   runtime::Controller& controller = *model.controller_;
-  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &errors);
   if (!started.ok()) return started.error();
   // A run of a failing schedule traces them.
-  runtime::TraceQuantities(scenario, controller, &fit);
+  runtime::TraceQuantities(scenario, controller, &errors);
   model.KeepThreads(BoundThreads(controller.machine()));
   model.bounds_ = runtime::RunBounds::Of(scenario);
   if (model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
     model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
-  model.BindRequirements(requirements, &fit);
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  model.BindRequirements(requirements, &errors);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   // If no thread runs, the card continues until then, as in a run.
   if (scenario.until_us) model.last_instant_ = model.bounds_.last();
   model.Save(&model.initial_);
@@ -101,7 +101,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
 Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
                                              const std::vector<Requirement>& requirements,
                                              std::shared_ptr<const runtime::HostCalls> calls,
-                                             runtime::ScenarioFit fit) {
+                                             runtime::ScenarioErrors errors) {
   auto host = HostEvents::Create(scenario, std::move(calls));
   if (!host.ok()) return host.error();
   CardModel model(scenario);
@@ -115,8 +115,8 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   } else {
     model.bounds_.limit = end + runtime::CycleOf(scenario, scenario.limit_ms * 1000);
   }
-  model.BindRequirements(requirements, &fit);
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  model.BindRequirements(requirements, &errors);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   model.Save(&model.initial_);
   return model;
 }
@@ -129,12 +129,12 @@ void CardModel::KeepThreads(std::vector<ThreadSetup> threads) {
 }
 
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
-                                 runtime::ScenarioFit* fit) {
+                                 runtime::ScenarioErrors* errors) {
   for (const runtime::Expectation& expectation : scenario_.expectations) {
-    if (!fit->CanJudge(expectation.text())) continue;
+    if (!errors->CanJudge(expectation.text())) continue;
     auto bound = runtime::CardCondition::Bind(expectation.condition, *controller_);
     if (!bound.ok()) {
-      fit->AddText(expectation.place, expectation.text(), bound.error().message);
+      errors->AddText(expectation.place, expectation.text(), bound.error().message);
       continue;
     }
     for (const runtime::Quantity& quantity : bound.value().quantities()) {
@@ -147,15 +147,15 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
       if (requirement.cycle > bounds_.last()) {
-        fit->Add(expectation.place,
-                 MakeMessage("the expectation '{0}' is later than the end of the run",
-                             "期望“{0}”的时刻在运行结束之后", expectation.text()));
+        errors->Add(expectation.place,
+                    MakeMessage("the expectation '{0}' is later than the end of the run",
+                                "期望“{0}”的时刻在运行结束之后", expectation.text()));
       }
     }
     requirements_.push_back(std::move(requirement));
   }
   auto conditions =
-      runtime::ReadRequirements<runtime::CardCondition>(requirements, *controller_, fit);
+      runtime::ReadRequirements<runtime::CardCondition>(requirements, *controller_, errors);
   if (conditions.size() < requirements.size()) return;
   for (size_t i = 0; i < requirements.size(); ++i) {
     const Scope scope = requirements[i].scope;

@@ -56,10 +56,10 @@ class CardModel {
 
   /// The scenario's program on a card of its own, before the first statement; its expectations and
   /// the requirements must hold. Host events are ignored. Fails with everything that does not fit
-  /// the program, or is not an expression; `fit` contains what the caller has found so far.
+  /// the program, or is not an expression; `errors` contains what the caller has found so far.
   static Result<CardModel> Create(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object,
-                                  runtime::ScenarioFit fit = {});
+                                  runtime::ScenarioErrors errors = {});
 
   /// The card of a recorded host, at the call that starts the first thread; what must hold are the
   /// requirements, and that calls are answered as in the record. The run ends where the host closed
@@ -68,7 +68,7 @@ class CardModel {
   static Result<CardModel> CreateFromCalls(const runtime::Scenario& scenario,
                                            const std::vector<Requirement>& requirements,
                                            std::shared_ptr<const runtime::HostCalls> calls,
-                                           runtime::ScenarioFit fit = {});
+                                           runtime::ScenarioErrors errors = {});
 
   /// The bound threads, in the order of their numbers on the card.
   int thread_count() const { return static_cast<int>(setups_.size()); }
@@ -142,7 +142,8 @@ class CardModel {
   explicit CardModel(const runtime::Scenario& scenario);
   /// Takes the program from the card, and the threads that are to be explored.
   void KeepThreads(std::vector<ThreadSetup> threads);
-  void BindRequirements(const std::vector<Requirement>& requirements, runtime::ScenarioFit* fit);
+  void BindRequirements(const std::vector<Requirement>& requirements,
+                        runtime::ScenarioErrors* errors);
   void BindGuards();
   bool Holds(const BoundRequirement& bound) const;
   /// Checks the final requirements without an instant, and the kEventually requirements.

@@ -183,16 +183,16 @@ bool Problem::HasInvariants() const {
 }
 
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
-                    runtime::ScenarioFit* fit) {
+                    runtime::ScenarioErrors* errors) {
   Problem problem{std::move(model)};
-  auto properties = runtime::ReadRequirements<Property>(requirements, problem.model, fit);
+  auto properties = runtime::ReadRequirements<Property>(requirements, problem.model, errors);
   if (properties.size() < requirements.size()) return problem;
   int eventually = 0;
   for (size_t i = 0; i < requirements.size(); ++i) {
     if (requirements[i].scope == Scope::kEventually && ++eventually == kEventuallyMax + 1) {
-      fit->Add(requirements[i].place,
-               MakeMessage("there are more than {0} 'eventually' expressions",
-                           "“eventually”表达式超过 {0} 个", kEventuallyMax));
+      errors->Add(requirements[i].place,
+                  MakeMessage("there are more than {0} 'eventually' expressions",
+                              "“eventually”表达式超过 {0} 个", kEventuallyMax));
     }
     problem.requirements.push_back({requirements[i].scope, std::move(properties[i])});
     BindGuard(requirements[i], problem.model, &problem.requirements.back());

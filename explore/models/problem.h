@@ -29,7 +29,7 @@
 #include "explore/models/races.h"
 #include "runtime/scenario/requirement.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 #include "runtime/scenario/vacuity.h"
 #include "vm/object.h"
 
@@ -86,9 +86,9 @@ struct Problem {
 };
 
 /// Resolves the names of the requirements. Adds unknown names, and a requirement that is one too
-/// many, to `fit`; the problem is not usable then.
+/// many, to `errors`; the problem is not usable then.
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
-                    runtime::ScenarioFit* fit);
+                    runtime::ScenarioErrors* errors);
 
 /// What the searches so far have not put to the test (runtime/scenario/vacuity.h).
 std::vector<Message> UntestedOf(const Problem& problem);

@@ -156,7 +156,7 @@ void CardWatch::AdvanceTracedUs(Controller* controller, int64_t microseconds) {
 
 void CardWatch::BeginTrace(const Controller& controller) {
   std::vector<TraceColumn> columns;
-  for (Quantity& quantity : TraceQuantities(*scenario_, controller, &fit_)) {
+  for (Quantity& quantity : TraceQuantities(*scenario_, controller, &errors_)) {
     columns.push_back({std::move(quantity)});
   }
   if (scenario_->trace.empty()) columns = DefaultColumns(controller);
@@ -193,8 +193,8 @@ void CardWatch::Finish(Controller* controller) {
   }
   WriteTrace(*controller);
   // Names that a trace could not have are wrong without a trace too.
-  if (!trace_) TraceQuantities(*scenario_, *controller, &fit_);
-  if (auto unfit = fit_.Failure()) {
+  if (!trace_) TraceQuantities(*scenario_, *controller, &errors_);
+  if (auto unfit = errors_.Failure()) {
     failures_.insert(failures_.begin(), std::move(unfit->message));
   }
   Verdict& verdict = VerdictOfProcess();
@@ -208,7 +208,7 @@ void CardWatch::Finish(Controller* controller) {
 void CardWatch::FinishRequirements(const Controller& controller, bool in_order) {
   requirements_->Follow(controller);
   if (in_order) requirements_->End(controller);
-  requirements_->AddUnchecked(OfCard({}), &fit_);
+  requirements_->AddUnchecked(OfCard({}), &errors_);
   for (const ScenarioFailure& failure : requirements_->failures()) {
     failures_.push_back(OfCard({fmt::format("'{}' {}", failure.expectation, failure.message.en),
                                 fmt::format("“{}”{}", failure.expectation, failure.message.zh)}));
@@ -226,7 +226,7 @@ Message OfCard(int card, const Message& message) {
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
   const auto bound = CardCondition::Bind(expectation.condition, controller);
   if (!bound.ok()) {
-    fit_.AddText(expectation.place, expectation.text(), OfCard(bound.error().message));
+    errors_.AddText(expectation.place, expectation.text(), OfCard(bound.error().message));
     return;
   }
   if (!bound.value().Holds(controller)) {

@@ -15,7 +15,7 @@
 #include "runtime/scenario/requirement_watch.h"
 #include "runtime/scenario/run_course.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -68,7 +68,7 @@ class CardWatch {
   std::vector<const Expectation*> timed_;  // in order of time; not yet checked from next_ on
   size_t next_ = 0;
   std::optional<RequirementWatch> requirements_;  ///< when the scenario has some
-  ScenarioFit fit_;
+  ScenarioErrors errors_;
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
   std::vector<Message> held_;  ///< requirements, and over what

@@ -8,18 +8,18 @@
 
 namespace oncard::runtime {
 
-void Agenda::Read(const Scenario& scenario, Controller* controller, ScenarioFit* fit) {
-  ReadExpectations(scenario, *controller, fit);
-  ReadWrites(scenario, controller, fit);
+void Agenda::Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
+  ReadExpectations(scenario, *controller, errors);
+  ReadWrites(scenario, controller, errors);
 }
 
 void Agenda::ReadExpectations(const Scenario& scenario, const Controller& controller,
-                              ScenarioFit* fit) {
+                              ScenarioErrors* errors) {
   for (const Expectation& expectation : scenario.expectations) {
-    if (!fit->CanJudge(expectation.text())) continue;
+    if (!errors->CanJudge(expectation.text())) continue;
     auto bound = CardCondition::Bind(expectation.condition, controller);
     if (!bound.ok()) {
-      fit->AddText(expectation.place, expectation.text(), bound.error().message);
+      errors->AddText(expectation.place, expectation.text(), bound.error().message);
       continue;
     }
     for (const Quantity& quantity : bound.value().quantities()) {
@@ -34,15 +34,15 @@ void Agenda::ReadExpectations(const Scenario& scenario, const Controller& contro
 }
 
 // The writes are prepared now, so that none can fail later.
-void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, ScenarioFit* fit) {
+void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
   if (scenario.host.empty()) return;
   const ControllerSnapshot before = controller->Snapshot();
   for (const HostEvent& event : scenario.host) {
     for (const InitialValue& written : event.values) {
-      if (!fit->CanJudge(written.name)) continue;
+      if (!errors->CanJudge(written.name)) continue;
       auto variables = SetVariable(written, written.name, controller);
       if (!variables.ok()) {
-        fit->Add(written.place, variables.error().message);
+        errors->Add(written.place, variables.error().message);
         continue;
       }
       for (size_t i = 0; i < written.values.size(); ++i) {

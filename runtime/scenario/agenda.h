@@ -11,7 +11,7 @@
 
 #include "runtime/conditions/card_condition.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 
 namespace oncard::runtime {
 
@@ -40,8 +40,8 @@ class Agenda {
   };
 
   /// Resolves all names for the controller, in which the scenario has been started. Whatever does
-  /// not fit the program is added to `fit` and left out. The controller is unchanged.
-  void Read(const Scenario& scenario, Controller* controller, ScenarioFit* fit);
+  /// not fit the program is added to `errors` and left out. The controller is unchanged.
+  void Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors);
 
   /// The expectations without an instant, in the order of the file.
   const std::vector<Check>& at_end() const { return at_end_; }
@@ -70,8 +70,9 @@ class Agenda {
   void GoTo(Position position) { taken_ = position; }
 
  private:
-  void ReadExpectations(const Scenario& scenario, const Controller& controller, ScenarioFit* fit);
-  void ReadWrites(const Scenario& scenario, Controller* controller, ScenarioFit* fit);
+  void ReadExpectations(const Scenario& scenario, const Controller& controller,
+                        ScenarioErrors* errors);
+  void ReadWrites(const Scenario& scenario, Controller* controller, ScenarioErrors* errors);
 
   std::vector<Check> timed_;  // in order of time
   std::vector<Check> at_end_;

@@ -14,7 +14,7 @@
 #include "runtime/conditions/condition.h"
 #include "runtime/scenario/placed_errors.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 
 namespace oncard::runtime {
 
@@ -48,20 +48,20 @@ std::vector<Requirement> RequirementsOf(const Scenario& scenario);
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario);
 
 /// Parses requirements and binds each as a `Bound` to the names of a card or of a model. Invalid
-/// ones are added to `fit` and not included in the result.
+/// ones are added to `errors` and not included in the result.
 template <typename Bound, typename Names>
 std::vector<Bound> ReadRequirements(const std::vector<Requirement>& requirements,
-                                    const Names& names, ScenarioFit* fit) {
+                                    const Names& names, ScenarioErrors* errors) {
   std::vector<Bound> all;
   for (const Requirement& requirement : requirements) {
-    if (!fit->CanJudge(requirement.text)) continue;
+    if (!errors->CanJudge(requirement.text)) continue;
     auto condition = ParseCondition(requirement.text);
     auto one = condition.ok() ? Bound::Bind(std::move(condition).value(), names)
                               : Result<Bound>(condition.error());
     if (one.ok()) {
       all.push_back(std::move(one).value());
     } else {
-      fit->AddText(requirement.place, requirement.Title(), one.error().message);
+      errors->AddText(requirement.place, requirement.Title(), one.error().message);
     }
   }
   return all;

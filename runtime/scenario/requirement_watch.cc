@@ -32,10 +32,10 @@ RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::s
 
 // --- Names ---------------------------------------------------------------------------------------
 
-void RequirementWatch::Begin(const Controller& controller, ScenarioFit* fit) {
+void RequirementWatch::Begin(const Controller& controller, ScenarioErrors* errors) {
   std::vector<Requirement> requirements;
   for (const Watched& watched : watched_) requirements.push_back(watched.requirement);
-  auto conditions = ReadRequirements<CardCondition>(requirements, controller, fit);
+  auto conditions = ReadRequirements<CardCondition>(requirements, controller, errors);
   if (conditions.size() < watched_.size()) return;
   for (size_t i = 0; i < watched_.size(); ++i) {
     watched_[i].condition = std::move(conditions[i]);
@@ -163,12 +163,12 @@ void RequirementWatch::RememberThreads(const Controller& controller) {
 
 // --- What has been checked -----------------------------------------------------------------------
 
-void RequirementWatch::AddUnchecked(const Message& prefix, ScenarioFit* fit) const {
+void RequirementWatch::AddUnchecked(const Message& prefix, ScenarioErrors* errors) const {
   for (const Watched& watched : watched_) {
     if (watched.states > 0 || watched.condition) continue;
-    fit->AddText(watched.requirement.place, watched.requirement.Title(),
-                 {fmt::format("{}never checked: {}", prefix.en, watched.missing.en),
-                  fmt::format("{}从未检查：{}", prefix.zh, watched.missing.zh)});
+    errors->AddText(watched.requirement.place, watched.requirement.Title(),
+                    {fmt::format("{}never checked: {}", prefix.en, watched.missing.en),
+                     fmt::format("{}从未检查：{}", prefix.zh, watched.missing.zh)});
   }
 }
 
@@ -225,9 +225,9 @@ Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object 
   return result;
 }
 
-Result<void> FitWithRequirements(const Scenario& scenario, vm::Object object) {
+Result<void> CheckWithRequirements(const Scenario& scenario, vm::Object object) {
   RequirementWatch watch(RequirementsOf(scenario), ProgramPath(scenario));
-  return FitScenario(scenario, std::move(object), &watch);
+  return CheckScenario(scenario, std::move(object), &watch);
 }
 
 }  // namespace oncard::runtime

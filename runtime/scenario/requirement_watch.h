@@ -28,7 +28,7 @@ class RequirementWatch : public RunWatch {
   /// Source names in messages are relative to the program.
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path);
 
-  void Begin(const Controller& controller, ScenarioFit* fit) override;
+  void Begin(const Controller& controller, ScenarioErrors* errors) override;
   bool ObservesStates() const override { return observes_states_; }
   void ObserveState(const Controller& controller) override;
   void End(const Controller& controller) override;
@@ -40,7 +40,7 @@ class RequirementWatch : public RunWatch {
   void Follow(const Controller& controller);
   /// After Follow(): adds the requirements that have never been checked, and why not. To be called
   /// after End(); `prefix` comes before every message.
-  void AddUnchecked(const Message& prefix, ScenarioFit* fit) const;
+  void AddUnchecked(const Message& prefix, ScenarioErrors* errors) const;
   /// What has been checked and has held, and in which states, one text for each requirement.
   std::vector<Message> DescribeHeld() const;
   /// Of what has been checked: the requirements whose right side mattered in no state (vacuity.h).
@@ -108,6 +108,6 @@ Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object 
                                            RunOptions options);
 
 /// Fails if RunWithRequirements() would fail before the first statement.
-Result<void> FitWithRequirements(const Scenario& scenario, vm::Object object);
+Result<void> CheckWithRequirements(const Scenario& scenario, vm::Object object);
 
 }  // namespace oncard::runtime

@@ -10,9 +10,9 @@ RunBounds RunBounds::Of(const Scenario& scenario) {
   return bounds;
 }
 
-void RunCourse::Read(const Scenario& scenario, Controller* controller, ScenarioFit* fit) {
+void RunCourse::Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
   bounds_ = RunBounds::Of(scenario);
-  agenda_.Read(scenario, controller, fit);
+  agenda_.Read(scenario, controller, errors);
 }
 
 std::optional<RunOver> RunCourse::Over(const Controller& controller) const {

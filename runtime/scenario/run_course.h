@@ -20,7 +20,7 @@
 
 #include "runtime/scenario/agenda.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -52,8 +52,8 @@ struct RunBounds {
 class RunCourse {
  public:
   /// Resolves all names for the controller, in which the scenario has been started. Whatever does
-  /// not fit the program is added to `fit` and left out. The controller is unchanged.
-  void Read(const Scenario& scenario, Controller* controller, ScenarioFit* fit);
+  /// not fit the program is added to `errors` and left out. The controller is unchanged.
+  void Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors);
 
   const RunBounds& bounds() const { return bounds_; }
   const Agenda& agenda() const { return agenda_; }

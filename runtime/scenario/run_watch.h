@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -15,9 +15,9 @@ class RunWatch {
   RunWatch& operator=(const RunWatch&) = delete;
   virtual ~RunWatch() = default;
 
-  /// Called before the first statement. Adds an error to `fit` for everything that it should
+  /// Called before the first statement. Adds an error to `errors` for everything that it should
   /// observe and that does not exist; then no other function is called.
-  virtual void Begin(const Controller& controller, ScenarioFit* fit) = 0;
+  virtual void Begin(const Controller& controller, ScenarioErrors* errors) = 0;
   /// True if ObserveState() is to be called; observing every state makes a run slower.
   virtual bool ObservesStates() const = 0;
   /// Called in the first state, and then after every statement and every beginning of a cycle.

@@ -36,15 +36,15 @@ class ScenarioRunner {
     }
     controller_.CollectRefusals(&refused_);
     if (options_.trace) KeepEvents();
-    auto started = StartScenario(scenario_, std::move(object), &controller_, &fit_);
+    auto started = StartScenario(scenario_, std::move(object), &controller_, &errors_);
     if (!started.ok()) return started.error();
     if (const auto policy = SetUpPolicy(); !policy.ok()) {
       const bool of_scenario = options_.replay == nullptr;
-      fit_.Add(of_scenario ? PlaceOfText(scenario_, "schedule") : TextPlace{},
-               policy.error().message);
+      errors_.Add(of_scenario ? PlaceOfText(scenario_, "schedule") : TextPlace{},
+                  policy.error().message);
     }
     FindNames();
-    if (auto failure = fit_.Failure()) return *std::move(failure);
+    if (auto failure = errors_.Failure()) return *std::move(failure);
     BeginTrace();
     BeginWatch();
     BeginHost();
@@ -55,10 +55,10 @@ class ScenarioRunner {
   }
 
   Result<void> Fit(vm::Object object) {
-    auto started = StartScenario(scenario_, std::move(object), &controller_, &fit_);
+    auto started = StartScenario(scenario_, std::move(object), &controller_, &errors_);
     if (!started.ok()) return started;
     FindNames();
-    if (auto failure = fit_.Failure()) return *std::move(failure);
+    if (auto failure = errors_.Failure()) return *std::move(failure);
     return {};
   }
 
@@ -94,10 +94,10 @@ class ScenarioRunner {
 
   // Resolves all names.
   void FindNames() {
-    course_.Read(scenario_, &controller_, &fit_);
+    course_.Read(scenario_, &controller_, &errors_);
     FindShown();
-    traced_ = TraceQuantities(scenario_, controller_, &fit_);
-    if (options_.watch != nullptr) options_.watch->Begin(controller_, &fit_);
+    traced_ = TraceQuantities(scenario_, controller_, &errors_);
+    if (options_.watch != nullptr) options_.watch->Begin(controller_, &errors_);
   }
 
   void FindShown() {
@@ -107,12 +107,12 @@ class ScenarioRunner {
       shown_ = options_.show;
     }
     for (const std::string& name : shown_) {
-      if (!fit_.CanJudge(name)) continue;
+      if (!errors_.CanJudge(name)) continue;
       auto quantities = ResolveQuantity(name, controller_);
       if (quantities.ok()) {
         shown_quantities_.push_back(std::move(quantities).value());
       } else {
-        fit_.Add({}, quantities.error().message);
+        errors_.Add({}, quantities.error().message);
       }
     }
   }
@@ -428,7 +428,7 @@ class ScenarioRunner {
   RefusedCommands refused_;
   Controller controller_;
   Supervisor supervisor_;
-  ScenarioFit fit_;
+  ScenarioErrors errors_;
   std::shared_ptr<const vm::Schedule> replayed_;
   RunCourse course_;
   bool ended_ = false;  // no thread can execute a statement any more, whatever the host writes
@@ -449,7 +449,7 @@ Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
   return ScenarioRunner(scenario, options).Run(std::move(object));
 }
 
-Result<void> FitScenario(const Scenario& scenario, vm::Object object, RunWatch* watch) {
+Result<void> CheckScenario(const Scenario& scenario, vm::Object object, RunWatch* watch) {
   RunOptions options;
   options.watch = watch;
   return ScenarioRunner(scenario, options).Fit(std::move(object));

@@ -116,6 +116,6 @@ Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options = {});
 
 /// Fails if RunScenario() would fail before the first statement.
-Result<void> FitScenario(const Scenario& scenario, vm::Object object, RunWatch* watch = nullptr);
+Result<void> CheckScenario(const Scenario& scenario, vm::Object object, RunWatch* watch = nullptr);
 
 }  // namespace oncard::runtime

@@ -37,14 +37,14 @@ Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::I
 
 /// Binds the threads and returns those that could be bound.
 std::vector<ThreadStart> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* machine,
-                                     ScenarioFit* fit) {
+                                     ScenarioErrors* errors) {
   std::vector<ThreadStart> bound;
   for (const ThreadStart& start : starts) {
     const auto function = FunctionIndex(start.function, *machine->image());
     if (!function.ok()) {
-      fit->Add(start.function_place, function.error().message);
+      errors->Add(start.function_place, function.error().message);
     } else if (machine->Bind(start.thread, function.value() + 1, start.page) != vm::kOk) {
-      fit->Add(
+      errors->Add(
           start.page_place,
           MakeMessage("thread {0} cannot have page {1}: another thread has it",
                       "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page));
@@ -52,41 +52,41 @@ std::vector<ThreadStart> BindThreads(const std::vector<ThreadStart>& starts, vm:
       bound.push_back(start);
       continue;
     }
-    fit->MissThread();
+    errors->MissThread();
   }
   return bound;
 }
 
 void SetValue(const InitialValue& initial, const std::string& name, Controller* controller,
-              ScenarioFit* fit) {
-  if (!fit->CanJudge(initial.name)) return;
+              ScenarioErrors* errors) {
+  if (!errors->CanJudge(initial.name)) return;
   const auto set = SetVariable(initial, name, controller);
-  if (!set.ok()) fit->Add(initial.place, set.error().message);
+  if (!set.ok()) errors->Add(initial.place, set.error().message);
 }
 
 void SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
-               Controller* controller, ScenarioFit* fit) {
+               Controller* controller, ScenarioErrors* errors) {
   for (const InitialValue& initial : scenario.globals) {
-    SetValue(initial, initial.name, controller, fit);
+    SetValue(initial, initial.name, controller, errors);
   }
   for (const ThreadStart& start : starts) {
     for (const InitialValue& initial : start.values) {
-      SetValue(initial, fmt::format("page{}.{}", start.page, initial.name), controller, fit);
+      SetValue(initial, fmt::format("page{}.{}", start.page, initial.name), controller, errors);
     }
   }
 }
 
 void RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts,
-                vm::Machine* machine, ScenarioFit* fit) {
+                vm::Machine* machine, ScenarioErrors* errors) {
   for (const ThreadStart& start : starts) {
     const int64_t period = CycleOf(scenario, start.period_ms * 1000);
     const int16_t code = period == 0 ? machine->Run(start.thread)
                                      : machine->RunPeriodic(start.thread, period,
                                                             static_cast<int16_t>(start.priority));
     if (code != vm::kOk) {
-      fit->Add(start.function_place,
-               MakeMessage("thread {0} cannot be started: code {1}",
-                           "线程 {0} 无法启动：返回值 {1}", start.thread, code));
+      errors->Add(start.function_place,
+                  MakeMessage("thread {0} cannot be started: code {1}",
+                              "线程 {0} 无法启动：返回值 {1}", start.thread, code));
     }
   }
 }
@@ -94,24 +94,25 @@ void RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts
 }  // namespace
 
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller,
-                           ScenarioFit* fit) {
+                           ScenarioErrors* errors) {
   if (auto loaded = controller->Load(std::move(object)); !loaded.ok()) return loaded.error();
   ApplyWorld(scenario, controller);
   vm::Machine& machine = controller->machine();
   const auto starts = ThreadsOf(scenario, *machine.image());
   if (!starts.ok()) return starts.error();
-  const std::vector<ThreadStart> bound = BindThreads(starts.value(), &machine, fit);
-  SetValues(scenario, bound, controller, fit);
-  RunThreads(scenario, bound, &machine, fit);
+  const std::vector<ThreadStart> bound = BindThreads(starts.value(), &machine, errors);
+  SetValues(scenario, bound, controller, errors);
+  RunThreads(scenario, bound, &machine, errors);
   return {};
 }
 
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller) {
-  ScenarioFit fit;
-  if (auto started = StartScenario(scenario, std::move(object), controller, &fit); !started.ok()) {
+  ScenarioErrors errors;
+  if (auto started = StartScenario(scenario, std::move(object), controller, &errors);
+      !started.ok()) {
     return started;
   }
-  if (auto failure = fit.Failure()) return *std::move(failure);
+  if (auto failure = errors.Failure()) return *std::move(failure);
   return {};
 }
 

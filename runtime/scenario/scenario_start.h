@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 #include "runtime/sim/controller.h"
 #include "vm/object.h"
 #include "vm/schedule.h"
@@ -18,10 +18,10 @@ namespace oncard::runtime {
 /// Puts a controller that was made with CardOptions() and has just been switched on into the state
 /// before the scenario's first statement: applies the world's initial state, binds every thread,
 /// sets all values, then starts the threads in the order of the scenario. Anything that does not
-/// fit the program is added to `fit` and skipped. Fails if the program cannot be loaded or has no
-/// function.
+/// fit the program is added to `errors` and skipped. Fails if the program cannot be loaded or has
+/// no function.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller,
-                           ScenarioFit* fit);
+                           ScenarioErrors* errors);
 
 /// The same for a caller without checks of its own: also fails if anything does not fit.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);

@@ -21,8 +21,8 @@ class AgendaTest : public testing::Test {
     const Scenario scenario = ScenarioForTest(text);
     controller_ = std::make_unique<Controller>(CardOptions(scenario));
     EXPECT_TRUE(
-        StartScenario(scenario, CompileForTest(kAgendaProgram), controller_.get(), &fit_).ok());
-    agenda_.Read(scenario, controller_.get(), &fit_);
+        StartScenario(scenario, CompileForTest(kAgendaProgram), controller_.get(), &errors_).ok());
+    agenda_.Read(scenario, controller_.get(), &errors_);
   }
   std::vector<std::string> ChecksDueAt(int64_t cycle) {
     std::vector<std::string> texts;
@@ -37,7 +37,7 @@ class AgendaTest : public testing::Test {
     return texts;
   }
 
-  ScenarioFit fit_;
+  ScenarioErrors errors_;
   std::unique_ptr<Controller> controller_;
   Agenda agenda_;
 };
@@ -100,7 +100,7 @@ TEST_F(AgendaTest, KnowsWhichFaultsAreExpected) {
 
 TEST_F(AgendaTest, ReportsNamesThatDoNotExist) {
   Read("expect = [\"z == 1\"]\n[[host]]\nat_ms = 1\nset = { w = 3 }\n");
-  const auto failure = fit_.Failure();
+  const auto failure = errors_.Failure();
   ASSERT_TRUE(failure.has_value());
   EXPECT_THAT(failure->message.en, HasSubstr("nothing is named 'z'"));
   EXPECT_THAT(failure->message.en, HasSubstr("nothing is named 'w'"));

@@ -157,9 +157,9 @@ class HostedCard {
     for (const ScenarioFailure& failure : watch_.failures()) {
       said.push_back(failure.expectation + ": " + failure.message.en);
     }
-    ScenarioFit fit;
-    watch_.AddUnchecked({}, &fit);
-    if (const auto failure = fit.Failure()) said.push_back(failure->message.en);
+    ScenarioErrors errors;
+    watch_.AddUnchecked({}, &errors);
+    if (const auto failure = errors.Failure()) said.push_back(failure->message.en);
     for (const Message& held : watch_.DescribeHeld()) said.push_back(held.en);
     return said;
   }

@@ -25,11 +25,11 @@ class RunCourseTest : public testing::Test {
     const Scenario scenario =
         ScenarioForTest(text + "[[thread]]\nfunction = \"" + function + "\"\n");
     controller_ = std::make_unique<Controller>(CardOptions(scenario));
-    ScenarioFit fit;
+    ScenarioErrors errors;
     EXPECT_TRUE(
-        StartScenario(scenario, CompileForTest(kCourseProgram), controller_.get(), &fit).ok());
-    course_.Read(scenario, controller_.get(), &fit);
-    EXPECT_FALSE(fit.Failure());
+        StartScenario(scenario, CompileForTest(kCourseProgram), controller_.get(), &errors).ok());
+    course_.Read(scenario, controller_.get(), &errors);
+    EXPECT_FALSE(errors.Failure());
   }
   /// What the course does at this boundary.
   static std::vector<std::string> Act(RunCourse* course, Controller* controller) {

@@ -284,7 +284,7 @@ TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
     class StopAtOnce : public RunWatch {
      public:
       explicit StopAtOnce(std::atomic<bool>* stop) : stop_(stop) {}
-      void Begin(const Controller&, ScenarioFit*) override {}
+      void Begin(const Controller&, ScenarioErrors*) override {}
       bool ObservesStates() const override { return true; }
       void ObserveState(const Controller& controller) override {
         if (controller.cycle() > 0) *stop_ = true;

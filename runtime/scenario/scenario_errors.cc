@@ -1,4 +1,4 @@
-#include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/scenario_errors.h"
 
 #include <fmt/core.h>
 
@@ -24,12 +24,12 @@ bool NamesThread(std::string_view word) {
 
 }  // namespace
 
-void ScenarioFit::AddText(const TextPlace& place, std::string_view text, const Message& why) {
+void ScenarioErrors::AddText(const TextPlace& place, std::string_view text, const Message& why) {
   if (place.file != nullptr) return Add(place, why);
   Add(place, {fmt::format("'{}': {}", text, why.en), fmt::format("“{}”：{}", text, why.zh)});
 }
 
-bool ScenarioFit::CanJudge(std::string_view text) const {
+bool ScenarioErrors::CanJudge(std::string_view text) const {
   if (all_bound_) return true;
   for (size_t begin = text.find_first_of(kNameCharacters); begin != std::string_view::npos;) {
     const size_t end = std::min(text.find_first_not_of(kNameCharacters, begin), text.size());
@@ -40,29 +40,29 @@ bool ScenarioFit::CanJudge(std::string_view text) const {
 }
 
 std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller& controller,
-                                      ScenarioFit* fit) {
+                                      ScenarioErrors* errors) {
   std::vector<Quantity> all;
   for (size_t i = 0; i < scenario.trace.size(); ++i) {
     const std::string& name = scenario.trace[i];
-    if (!fit->CanJudge(name)) continue;
+    if (!errors->CanJudge(name)) continue;
     auto found = ResolveQuantity(name, controller);
     if (found.ok()) {
       std::ranges::move(found.value(), std::back_inserter(all));
     } else {
-      fit->Add(PlaceOfText(scenario, "trace", i), found.error().message);
+      errors->Add(PlaceOfText(scenario, "trace", i), found.error().message);
     }
   }
   return all;
 }
 
 std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object,
-                              ScenarioFit* fit) {
+                              ScenarioErrors* errors) {
   std::vector<bool> slots;
   for (size_t i = 0; i < scenario.sync.size(); ++i) {
     const std::string& name = scenario.sync[i];
     const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
     if (found == object.globals.end()) {
-      fit->Add(PlaceOfText(scenario, "sync", i),
+      errors->Add(PlaceOfText(scenario, "sync", i),
                MakeMessage("no global variable is named '{0}'", "没有名为“{0}”的全局变量", name));
       continue;
     }

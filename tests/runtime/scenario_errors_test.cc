@@ -1,5 +1,5 @@
-// Names in a scenario that its program does not have (runtime/scenario/scenario_fit.h).
-#include "runtime/scenario/scenario_fit.h"
+// Names in a scenario that its program does not have (runtime/scenario/scenario_errors.h).
+#include "runtime/scenario/scenario_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 namespace oncard::runtime {
 namespace {
 
-Message MisfitOf(const Scenario& scenario, const RunOptions& options = {}) {
+Message ErrorsOf(const Scenario& scenario, const RunOptions& options = {}) {
   const auto result = RunScenario(scenario, CompileForTest(kCount), options);
   return result.ok() ? Message{"it fits", "相符"} : result.error().message;
 }
 
-TEST(ScenarioFit, EverythingIsToldAtOnceInTheOrderOfTheFile) {
+TEST(ScenarioErrors, EverythingIsToldAtOnceInTheOrderOfTheFile) {
   const Scenario scenario = ScenarioForTest(
       "trace = [\"n\", \"nn\"]\n"
       "schedule = \"rrr\"\n"
@@ -31,7 +31,7 @@ TEST(ScenarioFit, EverythingIsToldAtOnceInTheOrderOfTheFile) {
       "thread = 1\n"
       "page = 0\n"
       "function = \"f\"\n");
-  const std::string told = MisfitOf(scenario).en;
+  const std::string told = ErrorsOf(scenario).en;
   EXPECT_EQ(told,
             "t.toml:2:15: nothing is named 'nn'; did you mean 'n'?\n"
             "    2 | trace = [\"n\", \"nn\"]\n"
@@ -65,7 +65,7 @@ TEST(ScenarioFit, EverythingIsToldAtOnceInTheOrderOfTheFile) {
 
 // Without the thread, names of threads and pages have no meaning: they are not reported in
 // addition.
-TEST(ScenarioFit, WhatFollowsFromAMissingThreadIsNotTold) {
+TEST(ScenarioErrors, WhatFollowsFromAMissingThreadIsNotTold) {
   const Scenario scenario = ScenarioForTest(
       "expect = [\"thread3.result == page3.k\", \"m == 1\"]\n"
       "trace = [\"page3.k\"]\n"
@@ -73,7 +73,7 @@ TEST(ScenarioFit, WhatFollowsFromAMissingThreadIsNotTold) {
       "thread = 3\n"
       "function = \"other\"\n"
       "init = { x = 1 }\n");
-  EXPECT_EQ(MisfitOf(scenario).zh,
+  EXPECT_EQ(ErrorsOf(scenario).zh,
             "t.toml:2:40: 没有名为“m”的量\n"
             "    2 | expect = [\"thread3.result == page3.k\", \"m == 1\"]\n"
             "      |                                        ^~~~~~~~\n"
@@ -82,28 +82,28 @@ TEST(ScenarioFit, WhatFollowsFromAMissingThreadIsNotTold) {
             "      |            ^~~~~~~");
 }
 
-TEST(ScenarioFit, JudgesWhatDoesNotDependOnAMissingThread) {
-  ScenarioFit fit;
-  EXPECT_TRUE(fit.CanJudge("page0.k == 1"));
-  fit.MissThread();
+TEST(ScenarioErrors, JudgesWhatDoesNotDependOnAMissingThread) {
+  ScenarioErrors errors;
+  EXPECT_TRUE(errors.CanJudge("page0.k == 1"));
+  errors.MissThread();
   for (const char* text : {"page0.k == 1", "n == thread12.result", "!(ret0 + 1)", "page7.a[2]"}) {
-    EXPECT_FALSE(fit.CanJudge(text)) << text;
+    EXPECT_FALSE(errors.CanJudge(text)) << text;
   }
   for (const char* text : {"", "n == 1", "pages == 2", "ret == 0", "thread_0 == 1", "axis1.prfPos",
                            "my_page0 == 3", "x.thread == 1"}) {
-    EXPECT_TRUE(fit.CanJudge(text)) << text;
+    EXPECT_TRUE(errors.CanJudge(text)) << text;
   }
 }
 
 // Text from the command line has no place: it is reported after the errors in the file.
-TEST(ScenarioFit, WhatStandsNowhereIsToldInWords) {
+TEST(ScenarioErrors, WhatStandsNowhereIsToldInWords) {
   Scenario scenario = ScenarioForTest("expect = [\"m == 1\"]\n");
   scenario.globals.push_back(ParseInitialValue("q=1").value());
   scenario.threads.push_back(ParseThreadStart("0=g").value());
   scenario.expectations.push_back(ParseExpectation("l == 1").value());
   RunOptions options;
   options.show = {"r"};
-  EXPECT_EQ(MisfitOf(scenario, options).en,
+  EXPECT_EQ(ErrorsOf(scenario, options).en,
             "t.toml:2:11: nothing is named 'm'\n"
             "    2 | expect = [\"m == 1\"]\n"
             "      |           ^~~~~~~~\n"
@@ -113,25 +113,25 @@ TEST(ScenarioFit, WhatStandsNowhereIsToldInWords) {
             "nothing is named 'r'");
 }
 
-TEST(ScenarioFit, SynchronisingVariablesAreGlobals) {
+TEST(ScenarioErrors, SynchronisingVariablesAreGlobals) {
   const vm::Object object = CompileForTest("int x, f[2], g;\nint t0() {\n int l;\n l = x;\n}\n");
   Scenario scenario;
   scenario.sync = {"flags", "f", "l"};
-  ScenarioFit fit;
-  EXPECT_EQ(SyncGlobals(scenario, object, &fit), (std::vector<bool>{false, true, true}));
-  ASSERT_TRUE(fit.Failure());
-  EXPECT_EQ(fit.Failure()->message.en,
+  ScenarioErrors errors;
+  EXPECT_EQ(SyncGlobals(scenario, object, &errors), (std::vector<bool>{false, true, true}));
+  ASSERT_TRUE(errors.Failure());
+  EXPECT_EQ(errors.Failure()->message.en,
             "no global variable is named 'flags'\n"
             "no global variable is named 'l'");
 }
 
-TEST(ScenarioFit, IsLookedAtWithoutARun) {
+TEST(ScenarioErrors, IsLookedAtWithoutARun) {
   const vm::Object object = CompileForTest(kCount);
-  EXPECT_TRUE(FitScenario(ScenarioForTest("expect = [\"n == 1\"]"), object).ok());
+  EXPECT_TRUE(CheckScenario(ScenarioForTest("expect = [\"n == 1\"]"), object).ok());
   const Scenario other = ScenarioForTest("expect = [\"m == 1\"]\n[globals]\nq = 1\n");
-  const auto fits = FitScenario(other, object);
-  ASSERT_FALSE(fits.ok());
-  EXPECT_EQ(fits.error().message.en, MisfitOf(other).en);
+  const auto checked = CheckScenario(other, object);
+  ASSERT_FALSE(checked.ok());
+  EXPECT_EQ(checked.error().message.en, ErrorsOf(other).en);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Checks whether a scenario fits its program: collects all its functions, variables and other names
 // that the program does not have, each with its place.
-// Tested by tests/runtime/scenario_fit_test.cc.
+// Tested by tests/runtime/scenario_errors_test.cc.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace oncard::runtime {
 
-class ScenarioFit {
+class ScenarioErrors {
  public:
   /// Adds an error at a place.
   void Add(const TextPlace& place, Message why) { clashes_.Add(place, std::move(why)); }
@@ -36,10 +36,10 @@ class ScenarioFit {
 
 /// The quantities in a scenario's `trace`; adds an error for each unknown one.
 std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller& controller,
-                                      ScenarioFit* fit);
+                                      ScenarioErrors* errors);
 
 /// The globals that a scenario's `sync` names: element n is true for slot n, missing ones are
-/// false. Adds unknown ones to `fit`.
-std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object, ScenarioFit* fit);
+/// false. Adds unknown ones to `errors`.
+std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object, ScenarioErrors* errors);
 
 }  // namespace oncard::runtime
