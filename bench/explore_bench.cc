@@ -19,8 +19,8 @@
 #include "explore/engines/shrink.h"
 #include "explore/engines/trace_count.h"
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
 #include "tests/explore/explore_programs.h"
 #include "vm/fixed_point.h"
 

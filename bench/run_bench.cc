@@ -16,7 +16,7 @@
 #include "bench/measure.h"
 #include "bench/tool.h"
 #include "compiler/compiler.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::bench {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "runtime/scenario/adapted_schedule.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/adapted_schedule.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "vm/schedule.h"
 
 namespace oncard::explore {

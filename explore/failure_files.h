@@ -9,8 +9,8 @@
 
 #include "base/result.h"
 #include "explore/reports/report.h"
-#include "runtime/scenario/requirement.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/file/scenario.h"
 #include "vm/object.h"
 
 namespace oncard::explore {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario/call_replay.h"
+#include "runtime/scenario/record/call_replay.h"
 
 namespace oncard::explore {
 namespace {

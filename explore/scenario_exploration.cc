@@ -8,10 +8,10 @@
 
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
-#include "runtime/scenario/adapted_schedule.h"
-#include "runtime/scenario/scenario_run.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/adapted_schedule.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_run.h"
+#include "runtime/scenario/run/scenario_start.h"
 
 namespace oncard::explore {
 namespace {

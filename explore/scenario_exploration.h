@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "explore/reports/report.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "vm/object.h"
 #include "vm/schedule.h"
 
@@ -43,8 +43,8 @@ void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& op
                      runtime::ScenarioErrors* errors);
 
 /// Checks only one schedule: follows it as far as the current program can
-/// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if the
-/// run does not end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
+/// (runtime/scenario/run/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if
+/// the run does not end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
 Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,

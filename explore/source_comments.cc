@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "explore/models/problem.h"
-#include "runtime/scenario/placed_errors.h"
-#include "runtime/scenario/requirement.h"
+#include "runtime/scenario/file/placed_errors.h"
+#include "runtime/scenario/file/requirement.h"
 
 namespace oncard::explore {
 

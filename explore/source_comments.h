@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "vm/object.h"
 
 namespace oncard::explore {

@@ -17,7 +17,7 @@
 
 #include "base/result.h"
 #include "compiler/compiler.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "vm/object.h"
 
 namespace oncard::session {

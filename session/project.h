@@ -11,8 +11,8 @@
 
 #include "base/result.h"
 #include "compiler/compiler.h"
-#include "runtime/scenario/call_record.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/record/call_record.h"
 #include "vm/schedule.h"
 
 namespace oncard::session {

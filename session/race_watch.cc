@@ -5,7 +5,7 @@
 
 #include "runtime/observe/statement_access.h"
 #include "runtime/observe/step_log.h"
-#include "runtime/scenario/scenario_errors.h"
+#include "runtime/scenario/run/scenario_errors.h"
 
 namespace oncard::session {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/controller.h"
 #include "vm/race_clocks.h"
 

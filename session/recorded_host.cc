@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/scenario/call_replay.h"
+#include "runtime/scenario/record/call_replay.h"
 #include "session/arguments.h"
 
 namespace oncard::session {

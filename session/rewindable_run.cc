@@ -7,8 +7,9 @@
 
 #include "base/milliseconds.h"
 #include "runtime/observe/quantity.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
+#include "runtime/scenario/world/world_events.h"
 
 namespace oncard::session {
 namespace {
@@ -614,9 +615,13 @@ Result<void> RewindableRun::MoveSwitch(int number, double from, double to) {
 
 void RewindableRun::UpdateWorld() {
   const bool bare = calls_ != nullptr && calls_->bare() && changes_.empty();
-  world_events_ =
-      bare ? nullptr
-           : std::make_shared<const motion::WorldEvents>(EventsOfWorld(ScenarioWithChanges()));
+  if (bare) {
+    world_events_ = nullptr;
+  } else {
+    const runtime::Scenario changed = ScenarioWithChanges();
+    world_events_ = std::make_shared<const motion::WorldEvents>(
+        runtime::EventsOf(changed.world, changed.bus, changed.cycle_us));
+  }
   ShareWorld();
 }
 

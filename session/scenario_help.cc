@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "compiler/diagnostic.h"
-#include "runtime/scenario/scenario_schema.h"
+#include "runtime/scenario/file/scenario_schema.h"
 
 namespace oncard::session {
 namespace {

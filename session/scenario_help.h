@@ -1,8 +1,7 @@
 // What an editor wants to know of a scenario file (TOML) while it is being written: keys, values,
-// tables. The answers follow from the schema (runtime/scenario/scenario_schema.h) and the line of
-// the place with the last table head before it, so that mistakes elsewhere do not matter. Tables in
-// braces are not looked into.
-// Tested by tests/session/scenario_help_test.cc.
+// tables. The answers follow from the schema (runtime/scenario/file/scenario_schema.h) and the line
+// of the place with the last table head before it, so that mistakes elsewhere do not matter. Tables
+// in braces are not looked into. Tested by tests/session/scenario_help_test.cc.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/quantity.h"
-#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::session {
 namespace {

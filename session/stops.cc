@@ -6,8 +6,9 @@
 
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/thread_status.h"
-#include "runtime/scenario/requirement.h"
-#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/run/scenario_errors.h"
+#include "runtime/scenario/run/scenario_start.h"
 
 namespace oncard::session {
 namespace {

@@ -7,7 +7,7 @@
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/step_log.h"
 #include "runtime/observe/thread_status.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/program.h"
 #include "vm/disassembler.h"
 #include "vm/record.h"

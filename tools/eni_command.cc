@@ -1,6 +1,6 @@
 // oncard eni: the ENI file that fits the bus of a scenario.
 #include "runtime/host/eni_file.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "explore/engines/sampler.h"
-#include "runtime/scenario/search_names.h"
+#include "runtime/scenario/file/search_names.h"
 #include "tools/commands.h"
 #include "tools/search_watch.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario/requirement.h"
+#include "runtime/scenario/file/requirement.h"
 
 namespace oncard::tools {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "explore/models/problem.h"
 #include "explore/reports/statement_texts.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "tools/invocation.h"
 
 namespace oncard::tools {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "tools/invocation.h"
 #include "tools/test_report.h"
 

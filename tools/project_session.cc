@@ -5,7 +5,7 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "explore/source_comments.h"
-#include "runtime/scenario/call_record.h"
+#include "runtime/scenario/record/call_record.h"
 #include "session/recorded_host.h"
 
 namespace oncard::tools {

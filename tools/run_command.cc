@@ -5,7 +5,7 @@
 #include "base/number.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
-#include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/run/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"

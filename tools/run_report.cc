@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
-#include "runtime/scenario/result_json.h"
+#include "runtime/scenario/run/result_json.h"
 
 namespace oncard::tools {
 

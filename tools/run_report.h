@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tools/invocation.h"
 
 namespace oncard::tools {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tools/invocation.h"
 
 namespace oncard::tools {

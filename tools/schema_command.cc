@@ -1,5 +1,5 @@
 // oncard schema: the keys of scenario files for editors, and the session protocol for clients.
-#include "runtime/scenario/scenario_schema.h"
+#include "runtime/scenario/file/scenario_schema.h"
 #include "session/protocol_schema.h"
 #include "tools/commands.h"
 

@@ -9,8 +9,8 @@
 #include "base/milliseconds.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/statement_access.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
 #include "vm/thread_words.h"
 
 namespace oncard::explore {

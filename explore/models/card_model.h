@@ -25,9 +25,9 @@
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
 #include "runtime/observe/supervisor.h"
-#include "runtime/scenario/run_course.h"
-#include "runtime/scenario/scenario.h"
-#include "runtime/scenario/vacuity.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/run_course.h"
+#include "runtime/scenario/run/vacuity.h"
 #include "runtime/sim/controller.h"
 #include "vm/packed_state.h"
 
@@ -86,7 +86,7 @@ class CardModel {
   /// What still went on where the runs that were taken ended without a failure. Axes are noted if
   /// every run ends at an instant, or if a requirement on every state names the card.
   const Horizon& horizon() const { return horizon_; }
-  /// What none of the runs that were taken has put to the test (runtime/scenario/vacuity.h).
+  /// What none of the runs that were taken has put to the test (runtime/scenario/run/vacuity.h).
   std::vector<Message> Untested() const;
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }

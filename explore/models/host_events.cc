@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::explore {
 namespace {

@@ -16,8 +16,8 @@
 
 #include "base/result.h"
 #include "explore/models/model.h"
-#include "runtime/scenario/host_calls.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/record/host_calls.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::explore {

@@ -9,8 +9,8 @@
 
 #include "base/trim.h"
 #include "compiler/dialect.h"
-#include "runtime/scenario/placed_errors.h"
-#include "runtime/scenario/search_names.h"
+#include "runtime/scenario/file/placed_errors.h"
+#include "runtime/scenario/file/search_names.h"
 
 namespace oncard::explore {
 namespace {

@@ -27,10 +27,10 @@
 #include "explore/models/model.h"
 #include "explore/models/property.h"
 #include "explore/models/races.h"
-#include "runtime/scenario/requirement.h"
-#include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_errors.h"
-#include "runtime/scenario/vacuity.h"
+#include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/scenario_errors.h"
+#include "runtime/scenario/run/vacuity.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
@@ -90,7 +90,7 @@ struct Problem {
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                     runtime::ScenarioErrors* errors);
 
-/// What the searches so far have not put to the test (runtime/scenario/vacuity.h).
+/// What the searches so far have not put to the test (runtime/scenario/run/vacuity.h).
 std::vector<Message> UntestedOf(const Problem& problem);
 
 /// The rule with a name: `any`, `benign`, `none`.

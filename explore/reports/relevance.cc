@@ -5,8 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "runtime/conditions/card_condition.h"
 #include "runtime/observe/quantity.h"
-#include "runtime/scenario/expectation.h"
+#include "runtime/scenario/file/expectation.h"
 
 namespace oncard::explore {
 namespace {

@@ -9,9 +9,10 @@
 
 #include "explore/reports/race_orders.h"
 #include "explore/reports/relevance.h"
+#include "runtime/conditions/card_condition.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
-#include "runtime/scenario/expectation.h"
+#include "runtime/scenario/file/expectation.h"
 
 namespace oncard::explore {
 namespace {

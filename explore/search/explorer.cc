@@ -9,7 +9,7 @@
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
 #include "explore/search/search_pair.h"
-#include "runtime/scenario/search_names.h"
+#include "runtime/scenario/file/search_names.h"
 
 namespace oncard::explore {
 namespace {

@@ -30,7 +30,7 @@
 
 namespace oncard::explore {
 
-/// Those with a name stand in the order of kEngineNames (runtime/scenario/search_names.h).
+/// Those with a name stand in the order of kEngineNames (runtime/scenario/file/search_names.h).
 enum class EngineKind : uint8_t {
   kAuto,
   kDpor,
@@ -46,7 +46,7 @@ enum class EngineKind : uint8_t {
 std::optional<EngineKind> EngineNamed(std::string_view name);
 std::string_view EngineName(EngineKind engine);
 
-/// In the order of kVerdictNames (runtime/scenario/search_names.h).
+/// In the order of kVerdictNames (runtime/scenario/file/search_names.h).
 enum class Verdict : uint8_t {
   kProved,     ///< no interleaving fails
   kPassed,     ///< none that was tried fails; others were not tried, or only up to a horizon

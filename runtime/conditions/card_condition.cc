@@ -74,6 +74,13 @@ Message CardCondition::DescribeValues(const Controller& controller) const {
   return values;
 }
 
+Message DescribeFailure(const CardCondition& condition, const Controller& controller) {
+  if (condition.quantities().empty()) {
+    return {"it names nothing that has a value", "其中没有任何有值的名称"};
+  }
+  return condition.DescribeValues(controller);
+}
+
 std::string FormatQuantity(const Quantity& quantity, const Controller& controller) {
   return FormatNumber(ReadQuantity(quantity, controller), FormOfQuantity(quantity, controller));
 }

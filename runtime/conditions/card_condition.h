@@ -44,6 +44,9 @@ class CardCondition {
   std::vector<Quantity> quantities_;
 };
 
+/// Why a condition does not hold: the values of what it names.
+Message DescribeFailure(const CardCondition& condition, const Controller& controller);
+
 /// A quantity's value in the form used in messages.
 std::string FormatQuantity(const Quantity& quantity, const Controller& controller);
 

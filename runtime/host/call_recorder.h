@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "runtime/host/mapped_file.h"
-#include "runtime/scenario/call_record.h"
+#include "runtime/scenario/record/call_record.h"
 
 namespace oncard::runtime {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 
 namespace oncard::runtime {
 

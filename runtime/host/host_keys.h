@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "runtime/scenario/key_script.h"
+#include "runtime/scenario/file/key_script.h"
 
 namespace oncard::runtime {
 

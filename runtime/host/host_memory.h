@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {

@@ -21,9 +21,8 @@
 #include "runtime/host/library.h"
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
-#include "runtime/scenario/expectation.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/file/expectation.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "base/result.h"
 #include "runtime/observe/trace.h"
-#include "runtime/scenario/requirement_watch.h"
-#include "runtime/scenario/run_course.h"
-#include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_errors.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/requirement_watch.h"
+#include "runtime/scenario/run/run_course.h"
+#include "runtime/scenario/run/scenario_errors.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {

@@ -16,7 +16,7 @@
 #include "runtime/host/host_signals.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/library.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
 namespace {

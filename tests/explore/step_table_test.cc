@@ -9,7 +9,7 @@
 #include "compiler/display_text.h"
 #include "explore/reports/axis_curve.h"
 #include "explore_programs.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::explore {

@@ -7,7 +7,7 @@
 #include "compiler/structured_source.h"
 #include "compiler/tree_walk.h"
 #include "gtcalls/gts/catalogue.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/disassembler.h"
 #include "vm/object_reader.h"

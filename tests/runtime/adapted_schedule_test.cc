@@ -1,11 +1,11 @@
 // Schedules for edited programs: lines are identified by their text.
-#include "runtime/scenario/adapted_schedule.h"
+#include "runtime/scenario/run/adapted_schedule.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "compiler/compiler.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::runtime {

@@ -1,9 +1,9 @@
-#include "runtime/scenario/agenda.h"
+#include "runtime/scenario/run/agenda.h"
 
 #include <gmock/gmock.h>
 
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {

@@ -1,5 +1,5 @@
 // Records of host calls: what is written is read back, and a card does the same again.
-#include "runtime/scenario/call_record.h"
+#include "runtime/scenario/record/call_record.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "gtcalls/gts/family.h"
-#include "runtime/scenario/call_replay.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/record/call_replay.h"
+#include "runtime/scenario/run/scenario_card.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {

@@ -8,8 +8,8 @@
 
 #include "base/files.h"
 #include "runtime/host/host_bus.h"
-#include "runtime/scenario/call_record.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/record/call_record.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
 namespace {

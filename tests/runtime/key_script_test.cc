@@ -1,4 +1,4 @@
-#include "runtime/scenario/key_script.h"
+#include "runtime/scenario/file/key_script.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

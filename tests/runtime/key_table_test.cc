@@ -1,5 +1,5 @@
-// The rows of runtime/scenario/key_table.h, and the tables of the documentation that follow.
-#include "runtime/scenario/key_table.h"
+// The rows of runtime/scenario/file/key_table.h, and the tables of the documentation that follow.
+#include "runtime/scenario/file/key_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/files.h"
-#include "runtime/scenario/key_document.h"
-#include "runtime/scenario/keyed_toml.h"
+#include "runtime/scenario/file/key_document.h"
+#include "runtime/scenario/file/keyed_toml.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,5 +1,5 @@
-// Errors with places in files (runtime/scenario/placed_errors.h).
-#include "runtime/scenario/placed_errors.h"
+// Errors with places in files (runtime/scenario/file/placed_errors.h).
+#include "runtime/scenario/file/placed_errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {

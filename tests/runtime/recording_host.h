@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gtcalls/gts/family.h"
-#include "runtime/scenario/call_record.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/record/call_record.h"
+#include "runtime/scenario/run/scenario_card.h"
 #include "tests/runtime/scenario_support.h"
 #include "vm/object_writer.h"
 

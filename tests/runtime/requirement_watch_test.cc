@@ -1,5 +1,5 @@
 // The requirements of a scenario on all schedules, checked in one run.
-#include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/run/requirement_watch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

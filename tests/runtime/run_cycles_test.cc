@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_start.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
 #include "runtime/sim/controller.h"
 #include "runtime/sim/program.h"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/observe/quantity.h"
-#include "runtime/scenario/bus_setup.h"
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/world/bus_setup.h"
 
 namespace oncard::runtime {
 namespace {

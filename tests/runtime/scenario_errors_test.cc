@@ -1,5 +1,5 @@
-// Names in a scenario that its program does not have (runtime/scenario/scenario_errors.h).
-#include "runtime/scenario/scenario_errors.h"
+// Names in a scenario that its program does not have (runtime/scenario/run/scenario_errors.h).
+#include "runtime/scenario/run/scenario_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/file/scenario.h"
 
 namespace oncard::runtime {
 namespace {

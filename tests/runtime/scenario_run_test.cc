@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/run/requirement_watch.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {

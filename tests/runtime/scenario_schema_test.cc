@@ -1,6 +1,6 @@
 // The schema for editors against the reader: what the samples say is valid for both, and what is
 // wrong with one key alone is wrong for both.
-#include "runtime/scenario/scenario_schema.h"
+#include "runtime/scenario/file/scenario_schema.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "runtime/scenario/key_table.h"
-#include "runtime/scenario/toml_keys.h"
+#include "runtime/scenario/file/key_table.h"
+#include "runtime/scenario/file/toml_keys.h"
 #include "tests/base/json_schema.h"
 
 namespace oncard::runtime {

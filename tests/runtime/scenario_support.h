@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compiler/diagnostic_printer.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::runtime {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
 namespace {

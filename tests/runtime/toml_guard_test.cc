@@ -1,4 +1,4 @@
-#include "runtime/scenario/toml_guard.h"
+#include "runtime/scenario/file/toml_guard.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "runtime/scenario/toml_keys.h"
+#include "runtime/scenario/file/toml_keys.h"
 
 #include <gtest/gtest.h>
 

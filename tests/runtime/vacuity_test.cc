@@ -1,5 +1,5 @@
-// What was not put to the test (runtime/scenario/vacuity.h).
-#include "runtime/scenario/vacuity.h"
+// What was not put to the test (runtime/scenario/run/vacuity.h).
+#include "runtime/scenario/run/vacuity.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "base/random.h"
-#include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/run/requirement_watch.h"
 #include "tests/session/session_support.h"
 
 namespace oncard::session {

@@ -1,6 +1,6 @@
 // Every key of a scenario with every command that reads the file: the key has an effect, or the
 // command refuses it, or there is nothing that it could change.
-#include "runtime/scenario/scenario_keys.h"
+#include "runtime/scenario/file/scenario_keys.h"
 
 #include <gtest/gtest.h>
 

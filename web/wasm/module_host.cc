@@ -9,7 +9,7 @@
 #include "explore/failure_files.h"
 #include "explore/reports/report.h"
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario/requirement.h"
+#include "runtime/scenario/file/requirement.h"
 #include "session/arguments.h"
 #include "session/project.h"
 

@@ -3,8 +3,8 @@
 // single run.
 #include <fmt/core.h>
 
-#include "runtime/scenario/scenario.h"
-#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/scenario_run.h"
 #include "runtime/sim/program.h"
 
 namespace oncard::runtime {

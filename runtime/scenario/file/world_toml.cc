@@ -1,0 +1,411 @@
+#include "runtime/scenario/file/world_toml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "motion/io/extension.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/scenario/file/key_table.h"
+#include "runtime/scenario/file/keyed_toml.h"
+
+namespace oncard::runtime {
+namespace {
+
+template <typename Event>
+void SortByTime(std::vector<Event>& events) {
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.at_us < b.at_us; });
+}
+
+class WorldReader {
+ public:
+  WorldReader(int axis_count, TomlKeys& keys) : axis_count_(axis_count), keys_(keys) {}
+
+  World Read(const toml::table& table) {
+    ReadKeys(table, WorldKeys(), keys_, &world_);
+    for (const toml::table* input : keys_.Tables(table, "world.input")) ReadInput(*input);
+    for (const toml::table* motor : keys_.Tables(table, "world.axis")) ReadMotor(*motor);
+    for (const toml::table* contact : keys_.Tables(table, "world.switch")) ReadSwitch(*contact);
+    for (const toml::table* move : keys_.Tables(table, "world.move")) ReadMove(*move);
+    for (const toml::table* fault : keys_.Tables(table, "world.fault")) ReadFault(*fault);
+    for (const toml::table* hand : keys_.Tables(table, "world.hand")) ReadHand(*hand);
+    for (const toml::table* voltage : keys_.Tables(table, "world.analog")) ReadVoltage(*voltage);
+    for (const toml::table* module : keys_.Tables(table, "world.module")) ReadModule(*module);
+    CheckInputs(table);
+    SortByTime(world_.inputs);
+    SortByTime(world_.moves);
+    SortByTime(world_.voltages);
+    SortByTime(world_.modules);
+    return std::move(world_);
+  }
+
+ private:
+  void ReadInput(const toml::table& table) {
+    InputEvent event;
+    ReadKeys(table, InputKeys(), keys_, &event);
+    event.type = InputType(table, "gpi");
+    const int width = motion::DiWidth(event.type);
+    event.index = static_cast<int>(keys_.Whole(table, "index", 0, 1, width));
+    const int64_t highest = event.index == 0 ? (int64_t{1} << width) - 1 : 1;
+    event.value = static_cast<uint32_t>(keys_.Whole(table, "value", -1, 0, highest));
+    if (!table.contains("value")) {
+      keys_.Fail(table.source(), {"'value' is missing: the level of the pin, 0 or 1",
+                                  "缺少“value”：管脚电平，0 或 1"});
+    }
+    world_.inputs.push_back(event);
+  }
+
+  void ReadMotor(const toml::table& table) {
+    MotorSetup motor;
+    ReadKeys(table, MotorKeys(), keys_, &motor);
+    motor.axis = AxisOf(table);
+    motor.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
+    for (const char* key : {"gain", "tau_ms", "friction"}) {
+      Refuse(table, key, motor.drive == motion::DriveKind::kIdeal);
+    }
+    if (std::ranges::any_of(world_.motors,
+                            [&](const MotorSetup& other) { return other.axis == motor.axis; })) {
+      keys_.Fail(table.source(), MakeMessage("axis {0} is described twice; join the two tables",
+                                             "轴 {0} 被描述两次；应合并为一项", motor.axis));
+    }
+    world_.motors.push_back(motor);
+  }
+
+  void ReadSwitch(const toml::table& table) {
+    SwitchSetup contact;
+    ReadKeys(table, SwitchKeys(), keys_, &contact);
+    contact.axis = AxisOf(table);
+    contact.type = InputType(table, "home");
+    const int width = motion::DiWidth(contact.type);
+    contact.index = static_cast<int>(keys_.Whole(table, "index", contact.axis, 1, width));
+    if (contact.index > width) {
+      Need(table, "index",
+           {"there is no input with the number of the axis", "没有与轴号相同的输入"});
+    }
+    CheckPositions(table, contact.from, contact.to);
+    if (std::ranges::any_of(world_.switches, [&](const SwitchSetup& other) {
+          return other.type == contact.type && other.index == contact.index;
+        })) {
+      keys_.Fail(table.source(),
+                 {"two switches are wired to this input: give one of them another 'index'",
+                  "两个开关接到同一输入：应为其中一个指定其他“index”"});
+    }
+    world_.switches.push_back(contact);
+  }
+
+  void ReadMove(const toml::table& table) {
+    SwitchMove move;
+    ReadKeys(table, MoveKeys(), keys_, &move);
+    move.number = SwitchOf(table, {"there is no switch to move: describe it under [[world.switch]]",
+                                   "没有可移动的开关：应先在 [[world.switch]] 中描述"});
+    CheckPositions(table, move.from, move.to);
+    world_.moves.push_back(move);
+  }
+
+  void CheckPositions(const toml::table& table, double from, double to) {
+    if (!table.contains("from") && !table.contains("to")) {
+      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
+                                  "缺少“from”或“to”：开关的位置，单位脉冲"});
+    } else if (from > to) {
+      keys_.Fail(table.source(),
+                 {"'from' is greater than 'to': exchange them", "“from”大于“to”：应对调"});
+    }
+  }
+
+  void ReadFault(const toml::table& table) {
+    WorldFault fault;
+    ReadKeys(table, FaultKeys(), keys_, &fault);
+    if (!table.contains("kind")) {
+      keys_.Fail(table.source(),
+                 MakeMessage("'kind' is missing: one of {0}", "缺少“kind”：应为 {0} 之一",
+                             fmt::to_string(fmt::join(kFaultNames, ", "))));
+    }
+    fault.kind = static_cast<FaultKind>(keys_.Choice(table, "kind", kFaultNames, 0));
+    if (fault.kind == FaultKind::kCutSwitch) {
+      fault.number =
+          SwitchOf(table, {"there is no switch to cut: describe it under [[world.switch]]",
+                           "没有可断开的开关：应先在 [[world.switch]] 中描述"});
+    } else {
+      fault.number = AxisOf(table);
+    }
+    const bool cut = fault.kind == FaultKind::kCutSwitch;
+    Refuse(table, cut ? "axis" : "switch", true);
+    Refuse(table, "pulses", fault.kind != FaultKind::kNoise);
+    Refuse(table, "velocity", fault.kind != FaultKind::kSlip);
+    if (fault.kind == FaultKind::kNoise) {
+      int64_t pulses = 0;
+      ReadValue(table, RowOf(FaultKeys(), "pulses"), keys_, pulses);
+      fault.amount = static_cast<double>(pulses);
+      Need(table, "pulses", {"the largest error of a reading", "读数的最大误差"});
+    } else if (fault.kind == FaultKind::kSlip) {
+      ReadValue(table, RowOf(FaultKeys(), "velocity"), keys_, fault.amount);
+      Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
+    }
+    if (fault.until_us && *fault.until_us <= fault.at_us) {
+      keys_.Fail(table.source(),
+                 {"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
+    }
+    CheckFault(table, fault);
+    world_.faults.push_back(fault);
+  }
+
+  /// Faults of the same kind must not overlap: the end of one would also end the other.
+  void CheckFault(const toml::table& table, const WorldFault& fault) {
+    for (const WorldFault& other : world_.faults) {
+      const bool same = other.kind == fault.kind && other.number == fault.number;
+      const bool before = fault.until_us && *fault.until_us <= other.at_us;
+      const bool after = other.until_us && *other.until_us <= fault.at_us;
+      if (!same || before || after) continue;
+      keys_.Fail(table.source(),
+                 {"this fault overlaps another one of its kind: end one before the other begins",
+                  "该故障与同类故障在时间上重叠：应使其先后发生"});
+    }
+  }
+
+  void ReadHand(const toml::table& table) {
+    HandTurn turn;
+    ReadKeys(table, HandKeys(), keys_, &turn);
+    if (!table.contains("encoder")) {
+      turn.number = AxisOf(table);
+    } else {
+      Refuse(table, "axis", true);
+      turn.number = AuxiliaryOf(table);
+    }
+    Need(table, "pulses", {"the distance, negative for backwards", "转动的脉冲数，反向为负"});
+    Need(table, "until_ms", {"the time at which it ends", "转到的时刻"});
+    CheckHand(table, turn);
+    world_.hands.push_back(turn);
+  }
+
+  void CheckHand(const toml::table& table, const HandTurn& turn) {
+    if (!table.contains("until_ms")) return;
+    const int64_t length_us = turn.until_us - turn.at_us;
+    if (length_us < kHandTurnUsMin) {
+      keys_.Fail(table.source(),
+                 MakeMessage("'until_ms' must be at least {0} ms after 'at_ms'",
+                             "“until_ms”应比“at_ms”晚至少 {0} ms", kHandTurnUsMin / 1000));
+    } else if (std::fabs(turn.pulses) > kWorldVelocityMax * static_cast<double>(length_us) / 1000) {
+      keys_.Fail(table.source(),
+                 MakeMessage("that is faster than {0} pulse/ms: give it more time",
+                             "速度超过 {0} pulse/ms：应延长时间", kWorldVelocityMax));
+    }
+    for (const HandTurn& other : world_.hands) {
+      const bool apart = turn.until_us <= other.at_us || other.until_us <= turn.at_us;
+      if (other.number != turn.number || apart) continue;
+      keys_.Fail(table.source(), {"this turn overlaps another one: end one before the other begins",
+                                  "该转动与另一次转动在时间上重叠：应使其先后发生"});
+    }
+  }
+
+  int AuxiliaryOf(const toml::table& table) {
+    const KeyDescription& row = RowOf(HandKeys(), "encoder");
+    int encoder = static_cast<int>(row.type.smallest);
+    if (axis_count_ >= encoder) {
+      keys_.Fail(table.get("encoder")->source(),
+                 MakeMessage("a card of {0} axes has no auxiliary encoders: turn an 'axis'",
+                             "{0} 轴控制卡没有辅助编码器：应指定“axis”", axis_count_));
+    }
+    ReadValue(table, row, keys_, encoder);
+    return encoder;
+  }
+
+  /// An input to which a switch is connected follows the switch only.
+  void CheckInputs(const toml::table& table) {
+    for (const InputEvent& event : world_.inputs) {
+      const bool driven = std::ranges::any_of(world_.switches, [&](const SwitchSetup& contact) {
+        return contact.type == event.type && (event.index == 0 || event.index == contact.index);
+      });
+      if (!driven) continue;
+      keys_.Fail(
+          table.source(),
+          {"a [[world.input]] drives an input that a [[world.switch]] is wired to: remove "
+           "one of them, or give the input an 'index'",
+           "[[world.input]] 与 [[world.switch]] 驱动同一输入：应去掉其一，或为输入指定“index”"});
+      return;
+    }
+  }
+
+  void ReadVoltage(const toml::table& table) {
+    VoltageEvent event;
+    ReadKeys(table, VoltageKeys(), keys_, &event);
+    Need(table, "volts", {"the voltage at the input", "输入端的电压"});
+    world_.voltages.push_back(event);
+  }
+
+  void ReadModule(const toml::table& table) {
+    ModuleEvent event;
+    ReadKeys(table, ModuleKeys(), keys_, &event);
+    if (table.contains("inputs")) {
+      int inputs = 0;
+      ReadValue(table, RowOf(ModuleKeys(), "inputs"), keys_, inputs);
+      event.inputs = static_cast<uint16_t>(inputs);
+    }
+    if (const toml::node* node = table.get("volts")) ReadModuleVolts(*node, event);
+    world_.modules.push_back(std::move(event));
+  }
+
+  void ReadModuleVolts(const toml::node& node, ModuleEvent& event) {
+    const toml::array* list = node.as_array();
+    bool good = list != nullptr && list->size() <= motion::kModuleChannels;
+    for (size_t i = 0; good && i < list->size(); ++i) {
+      const auto volts = (*list)[i].value<double>();
+      good = volts && std::fabs(*volts) <= motion::kModuleFullVolts;
+      if (good) event.volts.push_back(*volts);
+    }
+    if (good) return;
+    keys_.Fail(node.source(),
+               MakeMessage("'volts' must be a list of at most {0} voltages from -{1} to {1}",
+                           "“volts”应为至多 {0} 个电压的列表，取值 -{1} 至 {1}",
+                           motion::kModuleChannels, motion::kModuleFullVolts));
+  }
+
+  /// Reports a key that has no effect for this kind of object.
+  void Refuse(const toml::table& table, std::string_view key, bool meaningless) {
+    if (!meaningless || !table.contains(key)) return;
+    keys_.Fail(table.get(key)->source(),
+               MakeMessage("'{0}' has no effect here: remove it", "“{0}”在此无意义：应去掉", key));
+  }
+
+  int AxisOf(const toml::table& table) {
+    const int64_t axis = keys_.Whole(table, "axis", 1, 1, axis_count_);
+    Need(table, "axis", {"the number of the axis, from 1", "轴号，从 1 开始"});
+    return static_cast<int>(axis);
+  }
+
+  int SwitchOf(const toml::table& table, const Message& none) {
+    Need(table, "switch",
+         {"the number of the [[world.switch]], from 1", "[[world.switch]] 的序号，从 1 开始"});
+    if (world_.switches.empty()) {
+      keys_.Fail(table.source(), none);
+      return 1;
+    }
+    const auto count = static_cast<int64_t>(world_.switches.size());
+    return static_cast<int>(keys_.Whole(table, "switch", 1, 1, count));
+  }
+
+  motion::DiType InputType(const toml::table& table, std::string_view absent) {
+    std::string type(absent);
+    keys_.Text(table, "type", type);
+    if (const auto word = FindInputWord(type)) return *word;
+    keys_.Fail(table.source(),
+               MakeMessage("no inputs are named '{0}': expected limit_positive, limit_negative, "
+                           "alarm, home, gpi, arrive or mpg",
+                           "没有名为“{0}”的输入：应为 limit_positive、limit_negative、alarm、home、"
+                           "gpi、arrive 或 mpg",
+                           type));
+    return motion::DiType::kGpi;
+  }
+
+  void Need(const toml::table& table, std::string_view key, const Message& what) {
+    if (table.contains(key)) return;
+    keys_.Fail(table.source(), {fmt::format("'{}' is missing: {}", key, what.en),
+                                fmt::format("缺少“{}”：{}", key, what.zh)});
+  }
+
+  const int axis_count_;
+  TomlKeys& keys_;
+  World world_;
+};
+
+// --- Writing -----------------------------------------------------------------------------------
+
+std::string FormatInput(const InputEvent& event) {
+  return AsTable("[[world.input]]", WriteKeys(event, InputKeys(), [&](std::string_view key) {
+                   if (key == "type") return SpecialText(TomlString(InputWordName(event.type)));
+                   if (key == "index" && event.index != 0) {
+                     return SpecialText(std::to_string(event.index));
+                   }
+                   if (key == "value") return SpecialText(std::to_string(event.value));
+                   return SpecialText();
+                 }));
+}
+
+std::string FormatMotor(const MotorSetup& motor) {
+  const bool ideal = motor.drive == motion::DriveKind::kIdeal;
+  return AsTable("[[world.axis]]", WriteKeys(motor, MotorKeys(), [&](std::string_view key) {
+                   if (key == "axis") return SpecialText(std::to_string(motor.axis));
+                   if (key == "drive") {
+                     return SpecialText(TomlString(kDriveNames[static_cast<size_t>(motor.drive)]));
+                   }
+                   if (ideal && (key == "gain" || key == "tau_ms" || key == "friction")) {
+                     return SpecialText("");
+                   }
+                   return SpecialText();
+                 }));
+}
+
+std::string FormatSwitch(const SwitchSetup& contact) {
+  return AsTable("[[world.switch]]", WriteKeys(contact, SwitchKeys(), [&](std::string_view key) {
+                   if (key == "axis") return SpecialText(std::to_string(contact.axis));
+                   if (key == "type") return SpecialText(TomlString(InputWordName(contact.type)));
+                   if (key == "index") return SpecialText(std::to_string(contact.index));
+                   return SpecialText();
+                 }));
+}
+
+std::string FormatMove(const SwitchMove& move) {
+  return AsTable("[[world.move]]", WriteKeys(move, MoveKeys(), [&](std::string_view key) {
+                   return key == "switch" ? SpecialText(std::to_string(move.number))
+                                          : SpecialText();
+                 }));
+}
+
+std::string FormatFault(const WorldFault& fault) {
+  const std::string_view number = fault.kind == FaultKind::kCutSwitch ? "switch" : "axis";
+  const std::string_view amount = fault.kind == FaultKind::kNoise  ? "pulses"
+                                  : fault.kind == FaultKind::kSlip ? "velocity"
+                                                                   : "";
+  return AsTable("[[world.fault]]", WriteKeys(fault, FaultKeys(), [&](std::string_view key) {
+                   if (key == "kind") {
+                     return SpecialText(TomlString(kFaultNames[static_cast<size_t>(fault.kind)]));
+                   }
+                   if (key == number) return SpecialText(std::to_string(fault.number));
+                   if (key == amount) return SpecialText(fmt::format("{}", fault.amount));
+                   return SpecialText();
+                 }));
+}
+
+std::string FormatHand(const HandTurn& turn, int axis_count) {
+  const std::string_view number = turn.number > axis_count ? "encoder" : "axis";
+  return AsTable("[[world.hand]]", WriteKeys(turn, HandKeys(), [&](std::string_view key) {
+                   return key == number ? SpecialText(std::to_string(turn.number)) : SpecialText();
+                 }));
+}
+
+std::string FormatModule(const ModuleEvent& event) {
+  return AsTable("[[world.module]]", WriteKeys(event, ModuleKeys(), [&](std::string_view key) {
+                   if (key == "inputs" && event.inputs) {
+                     return SpecialText(std::to_string(*event.inputs));
+                   }
+                   if (key == "volts" && !event.volts.empty()) {
+                     return SpecialText(fmt::format("[{}]", fmt::join(event.volts, ", ")));
+                   }
+                   return SpecialText();
+                 }));
+}
+
+}  // namespace
+
+World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys) {
+  return WorldReader(axis_count, keys).Read(table);
+}
+
+std::string FormatWorld(const World& world, int axis_count) {
+  std::string text;
+  for (const InputEvent& event : world.inputs) text += FormatInput(event);
+  for (const MotorSetup& motor : world.motors) text += FormatMotor(motor);
+  for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
+  for (const SwitchMove& move : world.moves) text += FormatMove(move);
+  for (const WorldFault& fault : world.faults) text += FormatFault(fault);
+  for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);
+  for (const VoltageEvent& event : world.voltages) {
+    text += AsTable("[[world.analog]]", WriteKeys(event, VoltageKeys()));
+  }
+  for (const ModuleEvent& event : world.modules) text += FormatModule(event);
+  return text;
+}
+
+}  // namespace oncard::runtime

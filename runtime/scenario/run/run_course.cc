@@ -1,0 +1,26 @@
+#include "runtime/scenario/run/run_course.h"
+
+#include "runtime/scenario/run/scenario_card.h"
+
+namespace oncard::runtime {
+
+RunBounds RunBounds::Of(const Scenario& scenario) {
+  RunBounds bounds = {CycleOf(scenario, scenario.limit_ms * 1000), std::nullopt};
+  if (scenario.until_us) bounds.until = CycleOf(scenario, *scenario.until_us);
+  return bounds;
+}
+
+void RunCourse::Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
+  bounds_ = RunBounds::Of(scenario);
+  agenda_.Read(scenario, controller, errors);
+}
+
+std::optional<RunOver> RunCourse::Over(const Controller& controller) const {
+  if (controller.cycle() >= bounds_.last()) return bounds_.kind_of_last();
+  if (agenda_.has_checks() || bounds_.until) return std::nullopt;
+  if (controller.machine().Quiet()) return RunOver::kQuiet;
+  if (!agenda_.has_writes() && controller.Deadlocked()) return RunOver::kDeadlock;
+  return std::nullopt;
+}
+
+}  // namespace oncard::runtime

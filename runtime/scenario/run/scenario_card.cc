@@ -1,0 +1,43 @@
+#include "runtime/scenario/run/scenario_card.h"
+
+#include <cassert>
+#include <memory>
+
+#include "gtcalls/families.h"
+#include "runtime/scenario/world/world_events.h"
+
+namespace oncard::runtime {
+
+const gtcalls::Family& FamilyOf(const Scenario& scenario) {
+  const auto card = gtcalls::FindCard(scenario.card);
+  return card ? *card->family : *gtcalls::Families().front();
+}
+
+ControllerOptions CardOptions(const Scenario& scenario) {
+  ControllerOptions options;
+  options.family = &FamilyOf(scenario);
+  options.motion.axis_count = scenario.axis_count;
+  options.motion.cycle_us = scenario.cycle_us;
+  options.rate = scenario.rate;
+  return options;
+}
+
+void ApplyWorld(const Scenario& scenario, Controller* controller) {
+  motion::MotionCore& core = controller->motion();
+  SetUpWorld(scenario.world, scenario.bus, core);
+  controller->card().bus_error = scenario.bus.eni_error;
+  if (!scenario.memory.empty()) {
+    // Who has read it from a file or a record has checked it.
+    [[maybe_unused]] const auto restored = controller->family().restore_memory(
+        scenario.memory, scenario.mram, controller->card().family_state);
+    assert(restored.ok());
+  }
+  core.PowerOn(std::make_shared<const motion::WorldEvents>(
+      EventsOf(scenario.world, scenario.bus, scenario.cycle_us)));
+}
+
+int64_t CycleOf(const Scenario& scenario, int64_t microseconds) {
+  return (microseconds + scenario.cycle_us - 1) / scenario.cycle_us;
+}
+
+}  // namespace oncard::runtime

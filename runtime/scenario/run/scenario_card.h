@@ -1,0 +1,26 @@
+// The card of a scenario in its surroundings, for runs of scenarios and for host programs.
+// Tested by tests/runtime/scenario_world_test.cc.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/scenario/file/scenario.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+
+/// The family of the card: that of its name, without one the first.
+const gtcalls::Family& FamilyOf(const Scenario& scenario);
+
+/// The card a scenario describes: its family, size, cycle and rate.
+ControllerOptions CardOptions(const Scenario& scenario);
+
+/// Puts a controller that was made with CardOptions() and has just been switched on into the
+/// scenario's surroundings. Times count from power-on.
+void ApplyWorld(const Scenario& scenario, Controller* controller);
+
+/// The boundary of profile cycles at which an event takes effect: the first one not before its
+/// instant.
+int64_t CycleOf(const Scenario& scenario, int64_t microseconds);
+
+}  // namespace oncard::runtime
