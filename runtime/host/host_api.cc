@@ -6,6 +6,8 @@
 #include <atomic>
 #include <iterator>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "runtime/host/call_log.h"
 #include "runtime/host/call_scope.h"
@@ -17,6 +19,19 @@
 
 namespace oncard::runtime {
 namespace {
+
+/// The host is told of a call and has not returned yet.
+constinit thread_local bool telling_host ONCARD_CALL_STATE = false;
+
+bool HostHears(const gtcalls::Command& command) {
+  return Library().host_hears != nullptr && !telling_host && Library().host_hears(command);
+}
+
+void TellHost(std::string inputs, int16_t code) {
+  telling_host = true;
+  Library().tell_host(std::move(inputs), code);
+  telling_host = false;
+}
 
 /// Executes a command whose arguments have been read. The card is locked.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
@@ -40,8 +55,10 @@ void Record(const LoggedCall& made, bool read, CardSlot& slot) {
   slot.recorder->Write(made.card, call);
 }
 
+/// `told` gets the inputs as text if the host wants to hear of the call.
 int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
-                       const gtcalls::Command& command, std::span<const HostArgument> host) {
+                       const gtcalls::Command& command, std::span<const HostArgument> host,
+                       std::string* told) {
   const HostService* service = FindHostService(command);
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
@@ -76,6 +93,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
     if (log != nullptr) log->Write(made);
     if (counts) HostRefusals::OfProcess().Add(made);
   }
+  if (HostHears(command)) *told = FormatInputs(command, arguments);
   return code;
 }
 
@@ -97,9 +115,9 @@ int16_t RefuseInterruption(const gtcalls::Command& command) {
   return vm::kRefused;
 }
 
-}  // namespace
-
-int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
+/// A call up to the release of its card. `told`: as CallLockedCard().
+int16_t CallAndRelease(int card, uint16_t number, std::span<const HostArgument> arguments,
+                       std::string* told) {
   const CallScope scope;
   CardTable& table = CardTable::OfProcess();
   const int index = card == kSelectedCard ? table.selected.load() : card;
@@ -111,10 +129,19 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   // A thread that has the card may wait for the wait that this handler has interrupted.
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   const std::lock_guard lock(slot.mutex);
-  const int16_t code = CallLockedCard(family, index, slot, command, arguments);
+  const int16_t code = CallLockedCard(family, index, slot, command, arguments, told);
   if (card == kSelectedCard && Library().notice_result != nullptr) {
     Library().notice_result(command, arguments, code);
   }
+  return code;
+}
+
+}  // namespace
+
+int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
+  std::string told;
+  const int16_t code = CallAndRelease(card, number, arguments, &told);
+  if (!told.empty()) TellHost(std::move(told), code);
   return code;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "gtcalls/family.h"
 #include "runtime/host/host_api.h"
@@ -19,6 +20,13 @@ struct HostLibrary {
   /// Gets the code of every call through a function without a card number; nullptr: nobody does.
   void (*notice_result)(const gtcalls::Command& command, std::span<const HostArgument> arguments,
                         int16_t code) = nullptr;
+  /// True if the host wants to hear of this command, which ends now; nullptr: of none. Called with
+  /// the card locked.
+  bool (*host_hears)(const gtcalls::Command& command) = nullptr;
+  /// Tells the host of such a call, in the thread that has made it: the inputs as the call log
+  /// writes them, and the code. The card is no longer locked and signals no longer wait, so the
+  /// host may make calls; it does not hear of these.
+  void (*tell_host)(std::string inputs, int16_t code) = nullptr;
 };
 
 /// The library of this process.

@@ -106,6 +106,29 @@ TEST_P(ToyFamily, RefusesTheCardOfAnotherFamily) {
   EXPECT_THAT(host.err, HasSubstr("ONCARD_CARD is 'GTS-800', expected one of TOY-2, TOY-3"));
 }
 
+// Each command but the hook itself is told when its card is free again: the call that is made
+// meanwhile acts, and is not told.
+TEST(ToyHook, HearsOfCallsAndMayMakeOthers) {
+  const ScratchFolder folder;
+  const ProcessResult host =
+      RunToy({"exec", "--", kFolder + "/toy_hook"}, folder, {"ONCARD_LOG=calls:log.txt"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "TOY_Move(1, {velocity=10, acceleration=1}) = -1\n"
+            "TOY_Open(0) = 0\n"
+            "meanwhile 0\n"
+            "TOY_Move(1, {velocity=10, acceleration=1}) = 0\n");
+  EXPECT_EQ(folder.Read("log.txt"),
+            "0.000 card0 TOY_Hook(hearer) = 0\n"
+            "0.000 card0 TOY_Move(1, {velocity=10, acceleration=1}) = -1: card 0 is not open, call "
+            "TOY_Open first\n"
+            "0.000 card0 TOY_Open(0) = 0\n"
+            "0.050 card0 TOY_Move(2, {velocity=5, acceleration=1}) = 0\n"
+            "0.100 card0 TOY_Move(1, {velocity=10, acceleration=1}) = 0\n"
+            "0.100 card0 TOY_Hook(NULL) = 0\n"
+            "0.100 card0 TOY_Close() = 0\n");
+}
+
 TEST(ToyCommands, AreListed) {
   const ScratchFolder folder;
   const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);

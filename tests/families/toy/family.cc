@@ -26,7 +26,7 @@ int16_t Move(Call& call) {
 }
 
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr};
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr};
 
 }  // namespace
 

@@ -20,6 +20,7 @@ constexpr std::string_view kHead =
 #endif
 
 typedef void (*TOY_Handler)(int card);
+typedef void (*TOY_Hearer)(const char* call, short code);
 )";
 
 constexpr std::string_view kOverloads =

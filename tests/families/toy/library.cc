@@ -1,4 +1,8 @@
 // libtoy: the services of the family.
+#include <atomic>
+#include <string>
+#include <utility>
+
 #include "runtime/host/library.h"
 
 namespace oncard::gtcalls {
@@ -13,16 +17,36 @@ int16_t CallHandler(ServiceCall& call) {
   return vm::kOk;
 }
 
+using Hearer = void (*)(const char* call, short code);
+std::atomic<Hearer> hearer = nullptr;
+
+int16_t Hook(ServiceCall& call) {
+  hearer = reinterpret_cast<Hearer>(call.arguments[0].host);
+  return vm::kOk;
+}
+
+bool HostHears(const gtcalls::Command& command) {
+  return hearer != nullptr && command.name != "TOY_Hook";
+}
+
+void TellHost(std::string inputs, int16_t code) {
+  if (const Hearer hears = hearer) hears(inputs.c_str(), code);
+}
+
 constexpr HostService kServices[] = {
     {"TOY_Open", true, OpenCard},
     {"TOY_Close", false, CloseCard},
     {"TOY_Call", false, CallHandler},
+    {"TOY_Hook", true, Hook},
 };
 
 }  // namespace
 
 const HostLibrary& Library() {
-  static const HostLibrary kLibrary = {.family = gtcalls::ToyFamily(), .services = kServices};
+  static const HostLibrary kLibrary = {.family = gtcalls::ToyFamily(),
+                                       .services = kServices,
+                                       .host_hears = HostHears,
+                                       .tell_host = TellHost};
   return kLibrary;
 }
 
