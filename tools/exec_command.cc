@@ -15,7 +15,7 @@
 #include "base/files.h"
 #include "gtcalls/families.h"
 #include "gtcalls/family.h"
-#include "runtime/host/clock.h"
+#include "runtime/host/host_clock.h"
 #include "runtime/host/host_card.h"
 #include "runtime/scenario/file/key_script.h"
 #include "runtime/scenario/file/scenario.h"

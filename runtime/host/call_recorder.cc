@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "runtime/host/clock.h"
+#include "runtime/host/host_clock.h"
 
 namespace oncard::runtime {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "runtime/host/call_recorder.h"
-#include "runtime/host/clock.h"
 #include "runtime/host/host_api.h"
+#include "runtime/host/host_clock.h"
 #include "runtime/host/host_memory.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/marshal.h"
@@ -33,7 +33,7 @@ struct RecordedFiles {
 struct CardSlot {
   std::mutex mutex;
   std::unique_ptr<Controller> controller;  ///< nullptr while the card is not open
-  std::optional<CardClock> clock;          ///< set while the card is open
+  std::optional<HostClock> clock;          ///< set while the card is open
   std::optional<CardWatch> watch;          ///< set while the card is open and there is a scenario
   /// The virtual time before which the scenario cannot be over (0: at any moment): who sleeps locks
   /// no card until then.

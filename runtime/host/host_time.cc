@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "runtime/host/call_scope.h"
-#include "runtime/host/clock.h"
+#include "runtime/host/host_clock.h"
 #include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
@@ -16,7 +16,7 @@ enum class TimeKind : uint8_t { kUnread, kReal, kVirtual };
 constinit std::atomic<TimeKind> known_time = TimeKind::kUnread;
 
 /// The steady clock is not read in virtual time, where reading a clock takes time.
-const int64_t begin_ns = HostTimeIsVirtual() ? 0 : CardClock::SteadyNanoseconds();
+const int64_t begin_ns = HostTimeIsVirtual() ? 0 : HostClock::SteadyNanoseconds();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ int64_t LookAtHostTimeNs() {
 
 int64_t HostTimeNs() {
   if (HostTimeIsVirtual()) return VirtualTime::OfProcess().NowNs();
-  return CardClock::SteadyNanoseconds() - begin_ns;
+  return HostClock::SteadyNanoseconds() - begin_ns;
 }
 
 int64_t SleepHostNs(int64_t duration_ns) {

@@ -8,9 +8,9 @@
 
 #include "base/files.h"
 #include "runtime/host/call_log.h"
-#include "runtime/host/clock.h"
 #include "runtime/host/host_bus.h"
 #include "runtime/host/host_card.h"
+#include "runtime/host/host_clock.h"
 #include "runtime/host/host_memory.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"

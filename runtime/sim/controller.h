@@ -3,7 +3,7 @@
 // gives the order.
 //
 // Virtual time counts profile cycles. The owner advances it: by host calls (each takes a time,
-// gtcalls/family.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
+// gtcalls/family.h), by AdvanceUs(), or by the clock of a host that calls it (host/host_clock.h).
 // Deterministic; not thread-safe: the C API serialises its callers per card.
 #pragma once
 

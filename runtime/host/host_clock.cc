@@ -1,4 +1,4 @@
-#include "runtime/host/clock.h"
+#include "runtime/host/host_clock.h"
 
 #include <chrono>
 #include <cmath>
@@ -26,12 +26,12 @@ Result<ClockSetting> ParseClockSetting(std::string_view text) {
                    text);
 }
 
-CardClock::CardClock(const ClockSetting& setting, WallClock wall_clock, VirtualTime& virtual_time)
+HostClock::HostClock(const ClockSetting& setting, WallClock wall_clock, VirtualTime& virtual_time)
     : setting_(setting), wall_clock_(std::move(wall_clock)), virtual_time_(virtual_time) {
   last_ns_ = setting_.kind == ClockKind::kReal ? wall_clock_() : virtual_time_.NowNs();
 }
 
-int64_t CardClock::TakeUs(int64_t cost_us) {
+int64_t HostClock::TakeUs(int64_t cost_us) {
   if (setting_.kind == ClockKind::kVirtual) {
     const int64_t passed_us = (virtual_time_.Pass(cost_us * 1000) - last_ns_) / 1000;
     last_ns_ += passed_us * 1000;
@@ -52,7 +52,7 @@ int64_t CardClock::TakeUs(int64_t cost_us) {
   return taken_us_;
 }
 
-void CardClock::CaughtUp() {
+void HostClock::CaughtUp() {
   if (setting_.kind == ClockKind::kVirtual) return;
   const int64_t now_ns = wall_clock_();
   const int64_t spent_ns = now_ns - last_ns_;
@@ -60,11 +60,11 @@ void CardClock::CaughtUp() {
   if (spent_ns > kBehindLimitNs && spent_us > static_cast<double>(taken_us_)) last_ns_ = now_ns;
 }
 
-int64_t CardClock::EarliestNs(int64_t microseconds) const {
+int64_t HostClock::EarliestNs(int64_t microseconds) const {
   return setting_.kind == ClockKind::kVirtual ? last_ns_ + microseconds * 1000 : 0;
 }
 
-int64_t CardClock::SteadyNanoseconds() {
+int64_t HostClock::SteadyNanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();

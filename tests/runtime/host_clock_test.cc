@@ -1,4 +1,4 @@
-#include "runtime/host/clock.h"
+#include "runtime/host/host_clock.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,10 +32,10 @@ TEST(ClockSettingTest, RefusesEverythingElse) {
   }
 }
 
-TEST(CardClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
+TEST(HostClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
   VirtualTime time;
   time.Pass(7'000'000);  // before the card is opened
-  CardClock clock({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  HostClock clock({ClockKind::kVirtual, 1}, HostClock::SteadyNanoseconds, time);
   EXPECT_EQ(clock.TakeUs(50), 50);
   EXPECT_EQ(clock.TakeUs(1000), 1000);
   EXPECT_EQ(clock.TakeUs(0), 0);
@@ -45,10 +45,10 @@ TEST(CardClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
   EXPECT_EQ(clock.TakeUs(0), 1);
 }
 
-TEST(CardClockTest, VirtualTimeTellsWhenMicrosecondsWillHavePassed) {
+TEST(HostClockTest, VirtualTimeTellsWhenMicrosecondsWillHavePassed) {
   VirtualTime time;
   time.Pass(7'000'900);
-  CardClock clock({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  HostClock clock({ClockKind::kVirtual, 1}, HostClock::SteadyNanoseconds, time);
   EXPECT_EQ(clock.TakeUs(50), 50);
   const int64_t earliest_ns = clock.EarliestNs(3);
   EXPECT_EQ(earliest_ns, 7'053'900);
@@ -58,42 +58,42 @@ TEST(CardClockTest, VirtualTimeTellsWhenMicrosecondsWillHavePassed) {
   EXPECT_EQ(clock.TakeUs(0), 1);
 }
 
-TEST(CardClockTest, RealTimeMayPassAtAnyMoment) {
-  CardClock clock({ClockKind::kReal, 1}, [] { return 5 * kMillisecondNs; });
+TEST(HostClockTest, RealTimeMayPassAtAnyMoment) {
+  HostClock clock({ClockKind::kReal, 1}, [] { return 5 * kMillisecondNs; });
   EXPECT_EQ(clock.EarliestNs(3), 0);
 }
 
-TEST(CardClockTest, CardsShareTheVirtualTime) {
+TEST(HostClockTest, CardsShareTheVirtualTime) {
   VirtualTime time;
-  CardClock first({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
-  CardClock second({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  HostClock first({ClockKind::kVirtual, 1}, HostClock::SteadyNanoseconds, time);
+  HostClock second({ClockKind::kVirtual, 1}, HostClock::SteadyNanoseconds, time);
   EXPECT_EQ(first.TakeUs(1000), 1000);
   EXPECT_EQ(second.TakeUs(50), 1050);
   EXPECT_EQ(first.TakeUs(50), 100);
 }
 
-TEST(CardClockTest, RealTimeIsWhatPassedOnTheWallWhateverTheCost) {
+TEST(HostClockTest, RealTimeIsWhatPassedOnTheWallWhateverTheCost) {
   int64_t now = 5 * kMillisecondNs;
-  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, 1}, [&now] { return now; });
   EXPECT_EQ(clock.TakeUs(50), 0);
   now += 3 * kMillisecondNs;
   EXPECT_EQ(clock.TakeUs(1000), 3000);
   EXPECT_EQ(clock.TakeUs(1000), 0);
 }
 
-TEST(CardClockTest, RealTimeIsScaled) {
+TEST(HostClockTest, RealTimeIsScaled) {
   int64_t now = 0;
-  CardClock fast({ClockKind::kReal, 1000}, [&now] { return now; });
+  HostClock fast({ClockKind::kReal, 1000}, [&now] { return now; });
   now = kMillisecondNs;
   EXPECT_EQ(fast.TakeUs(50), 1'000'000);
-  CardClock slow({ClockKind::kReal, 0.25}, [&now] { return now; });
+  HostClock slow({ClockKind::kReal, 0.25}, [&now] { return now; });
   now += kMillisecondNs;
   EXPECT_EQ(slow.TakeUs(50), 250);
 }
 
-TEST(CardClockTest, PartsOfAMicrosecondAreNotLost) {
+TEST(HostClockTest, PartsOfAMicrosecondAreNotLost) {
   int64_t now = 0;
-  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, 1}, [&now] { return now; });
   int64_t passed = 0;
   for (int call = 0; call < 1000; ++call) {
     now += 250;  // a quarter of a microsecond
@@ -102,9 +102,9 @@ TEST(CardClockTest, PartsOfAMicrosecondAreNotLost) {
   EXPECT_EQ(passed, 250);
 }
 
-TEST(CardClockTest, ALongGapIsCutAndForgotten) {
+TEST(HostClockTest, ALongGapIsCutAndForgotten) {
   int64_t now = 0;
-  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, 1}, [&now] { return now; });
   now = int64_t{24} * 3600 * 1'000'000'000;
   EXPECT_EQ(clock.TakeUs(50), kCatchUpLimitUs);
   EXPECT_EQ(clock.TakeUs(50), 0);
@@ -112,9 +112,9 @@ TEST(CardClockTest, ALongGapIsCutAndForgotten) {
   EXPECT_EQ(clock.TakeUs(50), 1000);
 }
 
-TEST(CardClockTest, TheTimeOfCatchingUpCountsWhileTheComputerIsFastEnough) {
+TEST(HostClockTest, TheTimeOfCatchingUpCountsWhileTheComputerIsFastEnough) {
   int64_t now = 0;
-  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, 1}, [&now] { return now; });
   now = 10 * kMillisecondNs;
   EXPECT_EQ(clock.TakeUs(50), 10'000);
   now += kMillisecondNs;  // simulating 10 ms took 1 ms
@@ -125,9 +125,9 @@ TEST(CardClockTest, TheTimeOfCatchingUpCountsWhileTheComputerIsFastEnough) {
   EXPECT_EQ(clock.TakeUs(50), 100'000);
 }
 
-TEST(CardClockTest, AComputerThatIsTooSlowFallsBehind) {
+TEST(HostClockTest, AComputerThatIsTooSlowFallsBehind) {
   int64_t now = 0;
-  CardClock clock({ClockKind::kReal, 1000}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, 1000}, [&now] { return now; });
   for (int call = 0; call < 10; ++call) {
     now += kMillisecondNs;  // the host's own time between two calls
     EXPECT_EQ(clock.TakeUs(50), 1'000'000) << call;
@@ -136,16 +136,16 @@ TEST(CardClockTest, AComputerThatIsTooSlowFallsBehind) {
   }
 }
 
-TEST(CardClockTest, TheLongestGapAtTheLargestScaleDoesNotOverflow) {
+TEST(HostClockTest, TheLongestGapAtTheLargestScaleDoesNotOverflow) {
   int64_t now = 0;
-  CardClock clock({ClockKind::kReal, kClockScaleMax}, [&now] { return now; });
+  HostClock clock({ClockKind::kReal, kClockScaleMax}, [&now] { return now; });
   now = INT64_MAX;
   EXPECT_EQ(clock.TakeUs(50), kCatchUpLimitUs);
 }
 
-TEST(CardClockTest, TheSteadyClockNeverGoesBack) {
-  const int64_t first = CardClock::SteadyNanoseconds();
-  EXPECT_GE(CardClock::SteadyNanoseconds(), first);
+TEST(HostClockTest, TheSteadyClockNeverGoesBack) {
+  const int64_t first = HostClock::SteadyNanoseconds();
+  EXPECT_GE(HostClock::SteadyNanoseconds(), first);
 }
 
 }  // namespace

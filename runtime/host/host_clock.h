@@ -7,7 +7,7 @@
 // cannot be observed before the second one, so it needs no thread of its own. Gaps of the real-time
 // clock are limited by kCatchUpLimitUs, so that a call after a long pause returns soon. A computer
 // that is too slow for the scale falls behind, instead of accumulating more and more time to catch
-// up with. Tested by tests/runtime/clock_test.cc.
+// up with. Tested by tests/runtime/host_clock_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -43,15 +43,15 @@ inline constexpr int64_t kCatchUpLimitUs = 600'000'000;
 /// interruptions by the operating system stay below it.
 inline constexpr int64_t kBehindLimitNs = 100'000'000;
 
-/// The clock of one card. Not thread-safe.
-class CardClock {
+/// How the time of one card follows its host. Not thread-safe.
+class HostClock {
  public:
   /// Returns the nanoseconds of a monotonic clock.
   using WallClock = std::function<int64_t()>;
 
   /// `wall_clock` is used only by the real-time clock, `virtual_time` only by the virtual one;
   /// tests replace them.
-  explicit CardClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds,
+  explicit HostClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds,
                      VirtualTime& virtual_time = VirtualTime::OfProcess());
 
   /// The microseconds of card time that pass before a host call that takes `cost_us`: all since the
