@@ -9,7 +9,8 @@ namespace oncard::motion {
 namespace {
 
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
-              kFieldsComplete<CrdRun> && kFieldsComplete<GearShare> && kFieldsComplete<LimitStop>);
+              kFieldsComplete<CrdRun> && kFieldsComplete<GearShare> && kFieldsComplete<LimitStop> &&
+              kFieldsComplete<PathStart>);
 
 }  // namespace
 
@@ -198,13 +199,19 @@ double Crd::EndOfCurrent() const {
 PathSpan Crd::SpanOfCurrent() const {
   const PathSlot& slot = active().current;
   const bool rests = slot.ends_at_rest || step_mode || run.single_step;
+  const double target = FeedOf(slot);
+  // Rest is left with the start velocity, and reached from it.
+  const auto moving = [&](double velocity) {
+    return velocity > start.velocity ? velocity : std::min(start.velocity, target);
+  };
   return {.begin = active().path,
           .end = slot.segment.length,
-          .velocity = run.velocity,
-          .target = FeedOf(slot),
-          .end_velocity = rests ? 0 : EndOfCurrent(),
+          .velocity = moving(run.velocity),
+          .target = target,
+          .end_velocity = moving(rests ? 0 : EndOfCurrent()),
           .acceleration = slot.acceleration,
-          .even_time = slot.planned.planned ? 0 : static_cast<double>(parameters.even_time)};
+          .even_time = slot.planned.planned ? 0 : static_cast<double>(parameters.even_time),
+          .rest_velocity = start.velocity};
 }
 
 Plan Crd::PlanCurrent() {
@@ -253,7 +260,7 @@ void Crd::EndPlan() {
   run.velocity = run.plan.end_velocity;
   run.acceleration = 0;
   fifo.path = run.plan.end_position;
-  const bool halted = run.stopping && run.velocity == 0;
+  const bool halted = run.stopping && run.velocity <= start.velocity;
   if (run.curve.in_use() && !run.curve.AtLast()) {
     ++run.curve.cell;
     run.plan = PlanCell(run.curve, fifo.current.segment.length);

@@ -117,7 +117,7 @@ struct GearShare {
   }
 };
 
-/// The event that a run waits for before it continues with the next slot.
+/// The event that a run waits for before it continues.
 enum class CrdWait : uint8_t { kNone, kDelay, kMove };
 
 struct CrdRun {
@@ -150,6 +150,16 @@ struct LimitStop {
   auto Fields() const { return std::tie(smooth); }
 };
 
+/// How a path begins and ends (GT_SetStrtVel of GE).
+struct PathStart {
+  /// A run takes this velocity, or its feed if that is lower, at once when it leaves rest, and
+  /// rests at once when it has slowed down to it.
+  double velocity = 0;
+
+  bool in_use() const { return velocity != 0; }
+  auto Fields() const { return std::tie(velocity); }
+};
+
 struct Crd {
   CrdParameters parameters;
   std::array<int32_t, kCrdDimensionMax> members{};  ///< profile of each coordinate, from 0
@@ -158,6 +168,7 @@ struct Crd {
   double smooth_stop = CardDefaults{}.smooth_stop;
   double abrupt_stop = CardDefaults{}.abrupt_stop;
   LimitStop limit_stop;
+  PathStart start;
   double override_ratio = 1;   ///< GT_SetOverride
   double second_override = 1;  ///< GT_SetOverride2, for the segments that select it
   bool step_mode = false;
@@ -218,8 +229,8 @@ struct Crd {
 
   auto Fields() const {
     return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
-                    override_ratio, second_override, step_mode, axis_velocity_max, fifos, run,
-                    gears, gear_count);
+                    start, override_ratio, second_override, step_mode, axis_velocity_max, fifos,
+                    run, gears, gear_count);
   }
 
   // Parts of the functions above.

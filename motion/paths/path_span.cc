@@ -72,8 +72,9 @@ Plan PlanSpanStop(const PathSpan& span, double deceleration) {
   const double last = std::min(span.end_velocity, span.velocity);
   const double needed = (square - last * last) / (2 * distance);
   const double dec = std::max(deceleration, needed);
-  if (square <= 2 * dec * distance) {
-    plan.Append(span.velocity / dec, span.velocity, -dec);
+  const double rest = std::min(span.rest_velocity, span.velocity);
+  if (square - rest * rest <= 2 * dec * distance) {
+    plan.Append((span.velocity - rest) / dec, span.velocity, -dec);
     plan.end_position = std::min(plan.end_position, span.end);
     return plan;
   }

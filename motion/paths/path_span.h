@@ -17,14 +17,16 @@ struct PathSpan {
   double target = 0;        ///< velocity to reach, > 0
   double end_velocity = 0;  ///< at `end`; the nearest reachable one is taken
   double acceleration = 0;
-  double even_time = 0;  ///< minimum time of the constant velocity, ms
+  double even_time = 0;      ///< minimum time of the constant velocity, ms
+  double rest_velocity = 0;  ///< a stop ends at once from this velocity
 };
 
 /// Plans velocity -> target -> end_velocity. A velocity above the target is reduced to it first.
 Plan PlanSpan(const PathSpan& span);
 
-/// Decelerates to rest, or to the segment's end, where the stop continues in the next segment. The
-/// deceleration is at least what is needed to reach span.end_velocity at the end.
+/// Decelerates to span.rest_velocity and rests, or to the segment's end, where the stop continues
+/// in the next segment. The deceleration is at least what is needed to reach span.end_velocity at
+/// the end.
 Plan PlanSpanStop(const PathSpan& span, double deceleration);
 
 /// Appends a change of the velocity from `from` to `to` over `distance` with constant acceleration;

@@ -1,0 +1,121 @@
+// Paths as older cards have them: a start velocity. Worked figures are those of the GE manual,
+// chapter 6.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/common/state_hash.h"
+#include "tests/motion/crd_run.h"
+
+namespace oncard::motion {
+namespace {
+
+// --- Start velocity ------------------------------------------------------------------------------
+
+TEST(PathStart, JoinsTheHashOnlyInUse) {
+  Crd without;
+  Crd with;
+  with.start.velocity = 0.5;
+  EXPECT_NE(StateHash().Add(with).value(), StateHash().Add(without).value());
+  EXPECT_EQ(StateHash().Add(PathStart{}).value(), StateHash().value());
+}
+
+TEST(PathStart, IsTakenAtOnceAtBothEnds) {
+  CrdRunTest test;
+  test.crd().start.velocity = 0.5;
+  ASSERT_TRUE(test.Line({3000, 4000}, 20, 0.1));
+  test.Start();
+  test.core.Tick();
+  const Plan plan = test.crd().run.plan;
+  // 195 ms and 1998.75 pulses from 0.5 to 20 pulse/ms, 1002.5 pulses at 20.
+  struct {
+    double t, path, velocity;
+  } const instants[] = {{0, 0, 0.5},
+                        {11.003125, 11.5550005, 1.6003125},
+                        {198.05625, 2059.875, 20},
+                        {220.0625, 2500, 20},
+                        {253.071875, 3157.02986, 19.2053125},
+                        {297.084375, 3905.44867, 14.8040625}};
+  for (const auto& at : instants) {
+    EXPECT_NEAR(plan.At(at.t).position, at.path, 1e-5) << at.t;
+    EXPECT_NEAR(plan.At(at.t).velocity, at.velocity, 1e-9) << at.t;
+  }
+  EXPECT_NEAR(plan.duration, 195 + 1002.5 / 20 + 195, 1e-9);
+  EXPECT_NEAR(plan.end_velocity, 0.5, 1e-12);
+  EXPECT_EQ(test.TicksToEnd() + 1, 441);
+  EXPECT_EQ(test.profile(1).position, 4000);
+  EXPECT_EQ(test.crd().run.velocity, 0);
+}
+
+TEST(PathStart, RaisesThePeakOfAShortPath) {
+  CrdRunTest test;
+  test.crd().start.velocity = 0.3;
+  ASSERT_TRUE(test.Line({10, 10}, 100, 1.8));
+  test.Start();
+  test.core.Tick();
+  // sqrt(0.3^2 + 1.8 * 14.1421) = 5.0543, (5.0543 - 0.3) / 1.8 each way.
+  EXPECT_NEAR(test.crd().run.plan.pieces[1].velocity, 5.0543, 1e-4);
+  EXPECT_NEAR(test.crd().run.plan.duration, 5.2825, 1e-4);
+}
+
+TEST(PathStart, IsTheFeedOfASlowerPath) {
+  CrdRunTest test;
+  test.crd().start.velocity = 3;
+  ASSERT_TRUE(test.Line({100, 0}, 2, 0.1));
+  test.Start();
+  test.core.Tick();
+  EXPECT_EQ(test.crd().run.velocity, 2);
+  EXPECT_EQ(test.TicksToEnd() + 1, 50);
+  EXPECT_EQ(test.profile(0).position, 100);
+}
+
+// A joint at the start velocity or below is a rest: the next segment begins with the start velocity
+// of its own.
+TEST(PathStart, IsTakenAgainBehindASegmentThatRests) {
+  CrdRunTest test;
+  test.crd().start.velocity = 0.5;
+  ASSERT_TRUE(test.Line({100, 0}, 0.25, 0.1));
+  ASSERT_TRUE(test.Line({100, 200}, 0.5, 0.1));
+  test.Start();
+  EXPECT_EQ(test.TicksToEnd(), 400 + 400);
+  EXPECT_EQ(test.profile(1).position, 200);
+}
+
+TEST(PathStart, AStopRestsAtOnceFromIt) {
+  for (const bool abrupt : {false, true}) {
+    CrdRunTest test;
+    test.crd().start.velocity = 0.5;
+    test.crd().smooth_stop = 0.1;
+    test.crd().abrupt_stop = 5;
+    ASSERT_TRUE(test.Line({5000, 0}, 20, 0.1));
+    test.Start();
+    test.RunUntil(200);
+    const double begin = test.profile(0).position;
+    EXPECT_NEAR(begin, 1998.75 + 5 * 20, 1e-9);
+    test.core.StopCrd(0, abrupt);
+    // (20 - 0.5) / 0.1 and (20 - 0.5) / 5; (20^2 - 0.5^2) / (2 a).
+    EXPECT_EQ(test.TicksToEnd(), abrupt ? 4 : 195);
+    EXPECT_NEAR(test.profile(0).position - begin, abrupt ? 39.975 : 1998.75, 1e-9);
+    EXPECT_EQ(test.crd().run.velocity, 0);
+    EXPECT_TRUE(test.fifo().executing);
+    test.Start();
+    test.core.Tick();
+    EXPECT_NEAR(test.crd().run.velocity, 0.6, 1e-12);
+  }
+}
+
+TEST(PathStart, AStopAtTheEndOfTheLastSegmentRestsThere) {
+  CrdRunTest test;
+  test.crd().start.velocity = 0.5;
+  test.crd().smooth_stop = 0.01;
+  ASSERT_TRUE(test.Line({500, 0}, 20, 0.1));
+  test.Start();
+  test.RunUntil(60);
+  // The deceleration of the stop is not enough for the way that is left.
+  test.core.StopCrd(0, false);
+  test.TicksToEnd();
+  EXPECT_NEAR(test.profile(0).position, 500, 1e-9);
+}
+
+}  // namespace
+}  // namespace oncard::motion
