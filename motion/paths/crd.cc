@@ -154,6 +154,7 @@ void Crd::Stop(bool abrupt, Micros now) {
 void Crd::Replan(Micros now) {
   if (!run.running || !active().executing) return;
   run.at = MsBetween(run.begin, now);
+  run.wait = CrdWait::kNone;
   run.plan = PlanCurrent();
 }
 
@@ -218,6 +219,7 @@ Plan Crd::PlanCurrent() {
   const PathSpan span = SpanOfCurrent();
   run.curve.squares.clear();
   if (run.stopping) return PlanSpanStop(span, run.stop_deceleration);
+  if (!(span.target > 0)) return PlanSpanStop(span, span.acceleration);
   if (!active().current.planned.curved || !(span.begin < span.end)) return PlanSpan(span);
   BeginCurve(active().current, span, &run.curve);
   return PlanCell(run.curve, span.end);
@@ -225,7 +227,7 @@ Plan Crd::PlanCurrent() {
 
 const BufferedCommand* Crd::Advance(Micros now) {
   const double t = MsBetween(run.begin, now);
-  while (run.running && run.wait != CrdWait::kMove) {
+  while (run.running && !run.WaitsForOthers()) {
     if (run.wait == CrdWait::kDelay) {
       if (t < run.wait_until) return nullptr;
       run.at = run.wait_until;
@@ -272,6 +274,9 @@ void Crd::EndPlan() {
     ++fifo.done;
     for (uint32_t i = 0; i < gear_count; ++i) gears[i].finished = true;
     if (step_mode || run.single_step) EndRun();
+  } else if (!run.stopping) {
+    run.velocity = 0;
+    run.wait = CrdWait::kOverride;
   }
   if (halted) EndRun();
 }

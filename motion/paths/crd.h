@@ -118,7 +118,12 @@ struct GearShare {
 };
 
 /// The event that a run waits for before it continues.
-enum class CrdWait : uint8_t { kNone, kDelay, kMove };
+enum class CrdWait : uint8_t {
+  kNone,
+  kDelay,
+  kMove,
+  kOverride  ///< at rest in a segment, until an override that is not 0 lets it go on
+};
 
 struct CrdRun {
   bool running = false;
@@ -135,6 +140,9 @@ struct CrdRun {
   CrdWait wait = CrdWait::kNone;
   double wait_until = 0;    ///< ms since `begin`
   BufferedCommand command;  ///< being carried out
+
+  /// True if time alone does not end the wait.
+  bool WaitsForOthers() const { return wait == CrdWait::kMove || wait == CrdWait::kOverride; }
 
   auto Fields() const {
     return std::tie(running, fifo, begin, at, plan, curve, velocity, acceleration, stopping,
@@ -169,6 +177,8 @@ struct Crd {
   double abrupt_stop = CardDefaults{}.abrupt_stop;
   LimitStop limit_stop;
   PathStart start;
+  // An override of 0 brings the path to rest with the acceleration of its segments, and holds it
+  // until it is raised.
   double override_ratio = 1;   ///< GT_SetOverride
   double second_override = 1;  ///< GT_SetOverride2, for the segments that select it
   bool step_mode = false;

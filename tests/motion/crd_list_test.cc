@@ -1,5 +1,5 @@
-// Paths as older cards have them: a start velocity. Worked figures are those of the GE manual,
-// chapter 6.
+// Paths as older cards have them: a start velocity, an override of 0. Worked figures are those of
+// the GE manual, chapter 6.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -115,6 +115,91 @@ TEST(PathStart, AStopAtTheEndOfTheLastSegmentRestsThere) {
   test.core.StopCrd(0, false);
   test.TicksToEnd();
   EXPECT_NEAR(test.profile(0).position, 500, 1e-9);
+}
+
+// --- An override of 0 ----------------------------------------------------------------------------
+
+void SetOverride(CrdRunTest* test, double ratio) {
+  test->crd().override_ratio = ratio;
+  test->crd().Replan(test->core.now());
+}
+
+TEST(CrdOverride, OfZeroHoldsThePathUntilItIsRaised) {
+  for (const double start : {0.0, 0.5}) {
+    CrdRunTest test;
+    test.crd().start.velocity = start;
+    ASSERT_TRUE(test.Line({3000, 4000}, 20, 1));
+    test.Start();
+    test.RunUntil(100);
+    const double begin = test.crd().fifos[0].path;
+    SetOverride(&test, 0);
+    test.RunUntil(200);
+    EXPECT_TRUE(test.running());
+    EXPECT_EQ(test.crd().run.wait, CrdWait::kOverride);
+    EXPECT_EQ(test.crd().run.velocity, 0);
+    // From 20 with 1 pulse/ms^2 to the start velocity.
+    EXPECT_NEAR(test.crd().fifos[0].path - begin, (400 - start * start) / 2, 1e-9);
+    SetOverride(&test, 0.5);
+    test.core.Tick();
+    EXPECT_NEAR(test.crd().run.velocity, start + 1, 1e-12);
+    test.TicksToEnd();
+    EXPECT_EQ(test.profile(0).position, 3000);
+    EXPECT_EQ(test.profile(1).position, 4000);
+    EXPECT_EQ(test.fifo().done, 1);
+  }
+}
+
+TEST(CrdOverride, OfZeroBrakesAcrossJoints) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Line({1000, 0}, 20, 1, 20));
+  ASSERT_TRUE(test.Line({1000, 1000}, 20, 1));
+  test.Start();
+  test.RunUntil(55);  // 200 + 35 * 20 = 900
+  SetOverride(&test, 0);
+  test.RunUntil(100);
+  // 200 pulses to rest: 100 on each line.
+  EXPECT_EQ(test.profile(0).position, 1000);
+  EXPECT_NEAR(test.profile(1).position, 100, 1e-9);
+  SetOverride(&test, 1);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(1).position, 1000);
+}
+
+TEST(CrdOverride, OfZeroLeavesTheSegmentsOfTheSecondOverrideAlone) {
+  CrdRunTest test;
+  PathSlot rapid;
+  rapid.is_segment = true;
+  rapid.segment = *MakeLine({}, {100, 0});
+  rapid.velocity = 10;
+  rapid.acceleration = 1;
+  rapid.second_override = true;
+  ASSERT_TRUE(test.core.AppendToCrd(0, 0, rapid));
+  ASSERT_TRUE(test.Line({200, 0}, 10, 1));
+  test.crd().override_ratio = 0;
+  test.Start();
+  test.RunUntil(100);
+  EXPECT_EQ(test.profile(0).position, 100);
+  EXPECT_EQ(test.crd().run.wait, CrdWait::kOverride);
+  SetOverride(&test, 1);
+  EXPECT_EQ(test.TicksToEnd(), 20);
+  EXPECT_EQ(test.profile(0).position, 200);
+}
+
+TEST(CrdOverride, AStopEndsAHeldRun) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
+  test.Start();
+  test.RunUntil(50);
+  SetOverride(&test, 0);
+  test.RunUntil(100);
+  const double held = test.profile(0).position;
+  test.core.StopCrd(0, false);
+  EXPECT_FALSE(test.running());
+  SetOverride(&test, 1);
+  test.Start();
+  test.TicksToEnd();
+  EXPECT_LT(held, 1000);
+  EXPECT_EQ(test.profile(0).position, 1000);
 }
 
 }  // namespace
