@@ -10,7 +10,7 @@ namespace {
 
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
               kFieldsComplete<CrdRun> && kFieldsComplete<GearShare> && kFieldsComplete<LimitStop> &&
-              kFieldsComplete<PathStart>);
+              kFieldsComplete<PathStart> && kFieldsComplete<SegmentList>);
 
 }  // namespace
 
@@ -69,7 +69,11 @@ bool CrdFifo::Flush() {
 
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
+  const bool joins = slot.is_segment && to.list.joints == JointRule::kFeeds && run.running &&
+                     run.fifo == fifo && to.executing;
+  const double end = joins ? EndOfCurrent() : 0;
   if (!to.Append(slot)) return false;
+  if (joins && EndOfCurrent() != end) Replan(now);
   if (slot.is_segment || !slot.command.NeedsRest() || to.looks_ahead()) return true;
   RestAfterLast(fifo, now);
   return true;
@@ -178,23 +182,45 @@ double Crd::FeedOf(const PathSlot& slot) const {
 
 double Crd::EndOfCurrent() const {
   const PathSlot& slot = active().current;
+  if (active().list.joints == JointRule::kFeeds) {
+    const double most = std::min(slot.end_velocity, FeedOf(slot));
+    // An override of 0 brakes across joints: it does not make the path rest at the next one.
+    if (most == 0 && slot.end_velocity > 0) return SegmentFollows() ? run.velocity : 0;
+    return std::sqrt(std::min(most * most, SquareAhead(most * most)));
+  }
   if (!slot.planned.planned || (override_ratio == 1 && second_override == 1)) {
     return slot.end_velocity;
   }
-  const SlotQueue& slots = active().slots;
   const double most = slot.end_velocity * slot.end_velocity;
+  return std::sqrt(std::min(most, SquareAhead(most)));
+}
+
+double Crd::SquareAhead(double most) const {
+  const SlotQueue& slots = active().slots;
   size_t count = 0;
-  for (double gain = 0; count < slots.size() && gain < most; ++count) {
+  double gain = 0;
+  for (; count < slots.size() && gain < most; ++count) {
     gain += 2 * slots.At(count).acceleration * slots.At(count).segment.length;
   }
-  double square = std::numeric_limits<double>::max();
+  const double rest = start.velocity * start.velocity;
+  const bool ends = active().list.joints == JointRule::kFeeds && count == slots.size();
+  double square = ends ? rest : std::numeric_limits<double>::max();
   for (size_t i = count; i-- > 0;) {
     const PathSlot& next = slots.At(i);
     if (!next.is_segment) continue;
     const double end = next.ends_at_rest ? 0 : next.end_velocity;
-    square = SquareBefore(next, FeedOf(next) * FeedOf(next), std::min(square, end * end));
+    // A joint at the start velocity or below is a rest, which the path reaches with the former.
+    const double after = std::max(std::min(square, end * end), rest);
+    square = SquareBefore(next, FeedOf(next) * FeedOf(next), after);
   }
-  return std::sqrt(std::min(most, square));
+  return square;
+}
+
+bool Crd::SegmentFollows() const {
+  const SlotQueue& slots = active().slots;
+  size_t i = 0;
+  while (i < slots.size() && !slots.At(i).is_segment) ++i;
+  return i < slots.size();
 }
 
 PathSpan Crd::SpanOfCurrent() const {

@@ -52,8 +52,27 @@ struct CrdParameters {
   }
 };
 
+/// What decides how fast a path passes from a segment of a buffer to the next one, when nobody has
+/// planned them before they entered it.
+enum class JointRule : uint8_t {
+  kGiven,  ///< PathSlot::end_velocity
+  /// The lower of both feeds, at most PathSlot::end_velocity, and so that the path can brake into
+  /// all later joints, and to rest behind the last segment of the buffer. A segment that is
+  /// appended raises the velocities before it.
+  kFeeds
+};
+
+/// A buffer as a list of segments.
+struct SegmentList {
+  JointRule joints = JointRule::kGiven;
+
+  bool in_use() const { return joints != JointRule::kGiven; }
+  auto Fields() const { return std::tie(joints); }
+};
+
 struct CrdFifo {
   SlotQueue slots;
+  SegmentList list;
   LookAhead look_ahead;
   Rare<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
   Coordinates tail{};         ///< where the last segment ends; not of a virtual run
@@ -90,8 +109,8 @@ struct CrdFifo {
   bool Flush();
 
   auto Fields() const {
-    return std::tie(slots, look_ahead, planner, tail, executing, current, path, awaits_move, move,
-                    done, user_number);
+    return std::tie(slots, list, look_ahead, planner, tail, executing, current, path, awaits_move,
+                    move, done, user_number);
   }
 
   // Parts of the functions above.
@@ -246,9 +265,15 @@ struct Crd {
   // Parts of the functions above.
   /// The velocity of a segment with the override that applies to it.
   double FeedOf(const PathSlot& slot) const;
-  /// The velocity at the end of the current segment: as planned, and with overrides also so that
-  /// no later segment of the FIFO is entered faster than its override allows.
+  /// The velocity at the end of the current segment: as planned or as JointRule says, and with
+  /// overrides also so that no later segment of the FIFO is entered faster than its override
+  /// allows.
   double EndOfCurrent() const;
+  /// The square of the largest velocity at which the next segment may be entered so that all later
+  /// ones of the FIFO can be; what lies beyond a distance to brake from `most` does not count.
+  double SquareAhead(double most) const;
+  /// True if another segment waits behind the current one.
+  bool SegmentFollows() const;
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent();
   void EndPlan();

@@ -1,8 +1,11 @@
-// Paths as older cards have them: a start velocity, an override of 0. Worked figures are those of
+// Paths as older cards have them: a start velocity, an override of 0,
+// lists whose joints follow from their feeds. Worked figures are those of
 // the GE manual, chapter 6.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "motion/common/state_hash.h"
 #include "tests/motion/crd_run.h"
@@ -200,6 +203,184 @@ TEST(CrdOverride, AStopEndsAHeldRun) {
   test.TicksToEnd();
   EXPECT_LT(held, 1000);
   EXPECT_EQ(test.profile(0).position, 1000);
+}
+
+// --- Joints of a list ----------------------------------------------------------------------------
+
+/// A segment of a list along X.
+struct ListedSegment {
+  double length, feed;
+  bool rests = false;
+  double end_velocity = kUnlimited;
+  // Expected: the largest velocity, that at the end, and the time until then.
+  double peak = 0;
+  double end = 0;
+  double time = 0;
+};
+
+class ListTest : public CrdRunTest {
+ public:
+  explicit ListTest(double start_velocity = 0.5, double acceleration = 0.5)
+      : acceleration_(acceleration) {
+    crd().start.velocity = start_velocity;
+    fifo().list.joints = JointRule::kFeeds;
+  }
+
+  bool Append(const ListedSegment& added) {
+    // A segment that rests at its end does so at its start, too.
+    if (added.rests) crd().RestAfterLast(0, core.now());
+    const double begin = fifo().idle() ? core.CrdPosition(0)[0] : fifo().tail[0];
+    PathSlot slot;
+    slot.is_segment = true;
+    slot.segment = *MakeLine({begin}, {begin + added.length});
+    slot.velocity = added.feed;
+    slot.acceleration = acceleration_;
+    slot.end_velocity = added.end_velocity;
+    slot.ends_at_rest = added.rests;
+    return core.AppendToCrd(0, 0, slot);
+  }
+
+ private:
+  double acceleration_;
+};
+
+struct ListCase {
+  const char* name;
+  double acceleration;
+  std::vector<ListedSegment> segments;
+};
+
+const ListCase kListCases[] = {
+    // Example 6-3: every segment is too short for its feed.
+    {"short",
+     1.8,
+     {{14.1421356, 100, false, kUnlimited, 7.15273991, 7.15273991, 3.69596662},
+      {30.3597001, 100, false, kUnlimited, 10.5607868, 7.91225815, 7.06073085},
+      {17.3205081, 100, false, kUnlimited, 7.91225815, 0.5, 11.1786521}}},
+    // The lower of both feeds; the third segment ends at rest because the fourth begins there.
+    {"feeds",
+     0.5,
+     {{4000, 20, false, kUnlimited, 20, 20, 219.0125},
+      {6000, 40, false, kUnlimited, 40, 10, 401.5125},
+      {500, 10, false, kUnlimited, 10, 0.5, 460.5375},
+      {8000, 50, true, kUnlimited, 50, 0.5, 718.5475},
+      {3000, 30, false, kUnlimited, 30, 0.5, 876.564167}}},
+    // End velocities that are given for one segment each; 0 is a rest.
+    {"given",
+     0.5,
+     {{4000, 20, false, 5, 20, 5, 230.2625},
+      {6000, 25, false, kUnlimited, 25, 20, 487.2625},
+      {3000, 20, false, 0, 20, 0.5, 656.275},
+      {2000, 20, false, kUnlimited, 20, 0.5, 794.3}}}};
+
+TEST(SegmentList, JoinsTheHashOnlyInUse) {
+  EXPECT_EQ(StateHash().Add(SegmentList{}).value(), StateHash().value());
+  EXPECT_NE(StateHash().Add(SegmentList{JointRule::kFeeds}).value(), StateHash().value());
+}
+
+TEST(SegmentList, JointsFollowFromTheFeeds) {
+  for (const ListCase& list : kListCases) {
+    SCOPED_TRACE(list.name);
+    ListTest test(0.5, list.acceleration);
+    for (const ListedSegment& segment : list.segments) ASSERT_TRUE(test.Append(segment));
+    test.Start();
+    std::vector<Plan> plans(list.segments.size());
+    std::vector<double> begins(list.segments.size());
+    while (test.running()) {
+      test.core.Tick();
+      if (!test.running()) break;
+      plans[static_cast<size_t>(test.fifo().done)] = test.crd().run.plan;
+      begins[static_cast<size_t>(test.fifo().done)] = test.crd().run.at;
+    }
+    for (size_t i = 0; i < plans.size(); ++i) {
+      SCOPED_TRACE(i);
+      double peak = plans[i].end_velocity;
+      for (size_t k = 0; k < plans[i].count; ++k) {
+        peak = std::max(peak, plans[i].pieces[k].velocity);
+      }
+      EXPECT_NEAR(peak, list.segments[i].peak, 1e-7);
+      EXPECT_NEAR(plans[i].end_velocity, list.segments[i].end, 1e-8);
+      EXPECT_NEAR(begins[i] + plans[i].duration, list.segments[i].time, 1e-6);
+    }
+  }
+}
+
+// A list of which not all is known when it starts is as fast as one that is known, if every segment
+// comes before the path begins to brake for the end of what is known.
+TEST(SegmentList, AppendedSegmentsRaiseTheVelocitiesBeforeThem) {
+  for (const ListCase& list : kListCases) {
+    SCOPED_TRACE(list.name);
+    ListTest test(0.5, list.acceleration);
+    ASSERT_TRUE(test.Append(list.segments[0]));
+    test.Start();
+    test.core.Tick();
+    for (size_t i = 1; i < list.segments.size(); ++i) ASSERT_TRUE(test.Append(list.segments[i]));
+    test.TicksToEnd();
+    EXPECT_NEAR(test.crd().run.at, list.segments.back().time, 1e-6);
+  }
+}
+
+TEST(SegmentList, ASegmentThatIsAppendedWhileThePathBrakesMakesItFasterAgain) {
+  ListTest test(0, 1);
+  ASSERT_TRUE(test.Append({500, 20}));
+  test.Start();
+  test.RunUntil(35);  // 20 ms and 200 pulses up, 5 ms and 100 at 20, 10 ms down to 10
+  EXPECT_NEAR(test.crd().run.velocity, 10, 1e-9);
+  ASSERT_TRUE(test.Append({500, 20}));
+  test.core.Tick();
+  EXPECT_NEAR(test.crd().run.velocity, 11, 1e-9);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 1000);
+}
+
+TEST(SegmentList, OutputsBetweenSegmentsDoNotChangeTheirJoint) {
+  for (const bool outputs : {false, true}) {
+    ListTest test(0, 1);
+    ASSERT_TRUE(test.Append({500, 20}));
+    if (outputs) {
+      ASSERT_TRUE(
+          test.Command({BufferedKind::kOutputs, static_cast<int>(DoType::kGpo), 0, {1, 1}}));
+    }
+    ASSERT_TRUE(test.Append({500, 20}));
+    test.Start();
+    // 20 ms and 200 pulses at each end, 600 at 20.
+    EXPECT_EQ(test.TicksToEnd(), 70);
+  }
+}
+
+TEST(SegmentList, ADelayMakesTheSegmentBeforeItRest) {
+  ListTest test(0, 1);
+  ASSERT_TRUE(test.Append({400, 20}));
+  ASSERT_TRUE(test.Delay(15));
+  ASSERT_TRUE(test.Append({400, 20}));
+  test.Start();
+  EXPECT_EQ(test.TicksToEnd(), 40 + 15 + 40);
+}
+
+TEST(SegmentList, AnOverrideScalesTheJoints) {
+  ListTest test(0, 1);
+  test.crd().override_ratio = 0.5;
+  ASSERT_TRUE(test.Append({200, 20}));
+  ASSERT_TRUE(test.Append({150, 10}));
+  test.Start();
+  // 10 ms and 50 pulses to 10, 112.5 at 10 and 5 ms and 37.5 to 5; 137.5 at 5, 5 ms to rest.
+  test.TicksToEnd();
+  EXPECT_NEAR(test.crd().run.at, 10 + 11.25 + 5 + 27.5 + 5, 1e-9);
+}
+
+TEST(SegmentList, AnOverrideOfZeroBrakesAcrossItsJoints) {
+  ListTest test(0, 1);
+  ASSERT_TRUE(test.Append({1000, 20}));
+  ASSERT_TRUE(test.Append({1000, 20}));
+  test.Start();
+  test.RunUntil(55);  // 200 + 35 * 20 = 900
+  SetOverride(&test, 0);
+  test.RunUntil(100);
+  EXPECT_NEAR(test.profile(0).position, 1100, 1e-9);
+  EXPECT_EQ(test.crd().run.wait, CrdWait::kOverride);
+  SetOverride(&test, 1);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 2000);
 }
 
 }  // namespace
