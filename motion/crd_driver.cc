@@ -79,6 +79,11 @@ void CrdDriver::Stop(bool abrupt) {
   if (!crd_.run.running) Write();
 }
 
+void CrdDriver::CloseList(size_t fifo) {
+  crd_.CloseList(fifo);
+  if (!crd_.run.running) Write();
+}
+
 void CrdDriver::Advance() {
   const BufferedCommand* command = nullptr;
   do {

@@ -27,6 +27,10 @@ class CrdDriver {
   void Start(size_t fifo, bool single_step);
   /// Stops a run along its path.
   void Stop(bool abrupt);
+  /// Opens a list: a run that has come to its end waits for more slots.
+  void OpenList(size_t fifo) { crd_.fifos[fifo].list.open = true; }
+  /// Closes it; a run that waits for its data ends.
+  void CloseList(size_t fifo);
   /// One cycle of a run.
   void Advance();
 

@@ -222,6 +222,10 @@ class MotionCore {
   bool PathRuns() const { return unlaned().PathRuns(); }
   /// Stops a run along its path.
   void StopCrd(size_t crd, bool abrupt) { driver(crd).Stop(abrupt); }
+  /// Opens a FIFO as a list: a run that has come to its end waits for more slots.
+  void OpenCrdList(size_t crd, size_t fifo) { driver(crd).OpenList(fifo); }
+  /// Closes it; a run that waits for its data ends.
+  void CloseCrdList(size_t crd, size_t fifo) { driver(crd).CloseList(fifo); }
 
   // --- Homing ----------------------------------------------------------------------------------
 

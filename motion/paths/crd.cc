@@ -74,6 +74,10 @@ bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   const double end = joins ? EndOfCurrent() : 0;
   if (!to.Append(slot)) return false;
   if (joins && EndOfCurrent() != end) Replan(now);
+  if (run.wait == CrdWait::kData && run.fifo == fifo) {
+    run.wait = CrdWait::kNone;
+    run.at = MsBetween(run.begin, now);
+  }
   if (slot.is_segment || !slot.command.NeedsRest() || to.looks_ahead()) return true;
   RestAfterLast(fifo, now);
   return true;
@@ -175,6 +179,17 @@ void Crd::EndMove(Micros now) {
   run.at = MsBetween(run.begin, now);
 }
 
+void Crd::AwaitData() {
+  run.velocity = 0;
+  run.acceleration = 0;
+  run.wait = CrdWait::kData;
+}
+
+void Crd::CloseList(size_t fifo) {
+  fifos[fifo].list.open = false;
+  if (run.wait == CrdWait::kData && run.fifo == fifo) EndRun();
+}
+
 double Crd::FeedOf(const PathSlot& slot) const {
   const double ratio = slot.second_override ? second_override : override_ratio;
   return std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit});
@@ -272,7 +287,11 @@ const BufferedCommand* Crd::Advance(Micros now) {
       continue;
     }
     if (active().slots.empty()) {
-      EndRun();
+      if (active().list.open) {
+        AwaitData();
+      } else {
+        EndRun();
+      }
       return nullptr;
     }
     const bool is_segment = active().slots.front().is_segment;

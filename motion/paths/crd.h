@@ -65,9 +65,10 @@ enum class JointRule : uint8_t {
 /// A buffer as a list of segments.
 struct SegmentList {
   JointRule joints = JointRule::kGiven;
+  bool open = false;  ///< a run that has come to its end waits for more slots
 
-  bool in_use() const { return joints != JointRule::kGiven; }
-  auto Fields() const { return std::tie(joints); }
+  bool in_use() const { return joints != JointRule::kGiven || open; }
+  auto Fields() const { return std::tie(joints, open); }
 };
 
 struct CrdFifo {
@@ -141,7 +142,8 @@ enum class CrdWait : uint8_t {
   kNone,
   kDelay,
   kMove,
-  kOverride  ///< at rest in a segment, until an override that is not 0 lets it go on
+  kOverride,  ///< at rest in a segment, until an override that is not 0 lets it go on
+  kData       ///< for the next slot of an open list
 };
 
 struct CrdRun {
@@ -161,7 +163,7 @@ struct CrdRun {
   BufferedCommand command;  ///< being carried out
 
   /// True if time alone does not end the wait.
-  bool WaitsForOthers() const { return wait == CrdWait::kMove || wait == CrdWait::kOverride; }
+  bool WaitsForOthers() const { return wait != CrdWait::kNone && wait != CrdWait::kDelay; }
 
   auto Fields() const {
     return std::tie(running, fifo, begin, at, plan, curve, velocity, acceleration, stopping,
@@ -255,6 +257,8 @@ struct Crd {
   void AwaitMove(const BufferedCommand& move);
   /// The profile of the modal move has arrived at `now`.
   void EndMove(Micros now);
+  /// Ends an open list, and a run that waits for its data.
+  void CloseList(size_t fifo);
 
   auto Fields() const {
     return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
@@ -276,6 +280,7 @@ struct Crd {
   bool SegmentFollows() const;
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent();
+  void AwaitData();
   void EndPlan();
   void TakeSlot();
   void EndRun();

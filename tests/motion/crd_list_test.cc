@@ -383,5 +383,52 @@ TEST(SegmentList, AnOverrideOfZeroBrakesAcrossItsJoints) {
   EXPECT_EQ(test.profile(0).position, 2000);
 }
 
+// --- Open lists ----------------------------------------------------------------------------------
+
+TEST(OpenList, MakesARunWaitForMoreSegments) {
+  ListTest test(0, 1);
+  test.core.OpenCrdList(0, 0);
+  test.Start();
+  test.RunUntil(10);
+  EXPECT_EQ(test.crd().run.wait, CrdWait::kData);
+  ASSERT_TRUE(test.Append({400, 20}));
+  test.RunUntil(49);
+  EXPECT_GT(test.crd().run.velocity, 0);
+  test.RunUntil(50);
+  EXPECT_EQ(test.profile(0).position, 400);
+  EXPECT_EQ(test.crd().run.wait, CrdWait::kData);
+  EXPECT_EQ(test.crd().run.velocity, 0);
+  EXPECT_TRUE(test.profile(0).moving);
+  test.RunUntil(100);
+  // A command acts at once.
+  ASSERT_TRUE(test.Command({BufferedKind::kOutputs, static_cast<int>(DoType::kGpo), 0, {1, 1}}));
+  ASSERT_TRUE(test.Append({100, 20}));
+  test.core.CloseCrdList(0, 0);
+  EXPECT_EQ(test.TicksToEnd(), 20);
+  EXPECT_EQ(test.core.state().io.Register(DoType::kGpo), 0x1u);
+  EXPECT_EQ(test.profile(0).position, 500);
+}
+
+TEST(OpenList, EndsAWaitingRunWhenItIsClosed) {
+  ListTest test(0, 1);
+  test.core.OpenCrdList(0, 0);
+  ASSERT_TRUE(test.Append({400, 20}));
+  test.Start();
+  test.RunUntil(60);
+  EXPECT_TRUE(test.running());
+  test.core.CloseCrdList(0, 0);
+  EXPECT_FALSE(test.running());
+  EXPECT_FALSE(test.profile(0).moving);
+}
+
+TEST(OpenList, EndsAWaitingRunAtAStop) {
+  ListTest test(0, 1);
+  test.core.OpenCrdList(0, 0);
+  test.Start();
+  test.RunUntil(10);
+  test.core.StopCrd(0, false);
+  EXPECT_FALSE(test.running());
+}
+
 }  // namespace
 }  // namespace oncard::motion
