@@ -74,6 +74,12 @@ void CrdDriver::Start(size_t fifo, bool single_step) {
   Write();
 }
 
+void CrdDriver::Resume(size_t fifo, const PathSlot& back) {
+  crd_.position = PositionOf(crd_, card_.profiles());
+  crd_.Resume(fifo, back, card_.now());
+  Write();
+}
+
 void CrdDriver::Stop(bool abrupt) {
   crd_.Stop(abrupt, card_.now());
   if (!crd_.run.running) Write();

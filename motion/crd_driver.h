@@ -25,6 +25,8 @@ class CrdDriver {
   bool Append(size_t fifo, const PathSlot& slot);
   /// Begins or resumes a run; with `single_step` it ends after one segment.
   void Start(size_t fifo, bool single_step);
+  /// Begins a run with a line back to the breakpoint (Crd::Resume).
+  void Resume(size_t fifo, const PathSlot& back);
   /// Stops a run along its path.
   void Stop(bool abrupt);
   /// Opens a list: a run that has come to its end waits for more slots.

@@ -218,6 +218,8 @@ class MotionCore {
   }
   /// Begins or resumes a run; with `single_step` it ends after one segment.
   void StartCrd(size_t crd, size_t fifo, bool single_step) { driver(crd).Start(fifo, single_step); }
+  /// Begins a run with a line back to the breakpoint, as `back` says (Crd::Resume).
+  void ResumeCrd(size_t crd, size_t fifo, const PathSlot& back) { driver(crd).Resume(fifo, back); }
   /// True if a coordinate system runs.
   bool PathRuns() const { return unlaned().PathRuns(); }
   /// Stops a run along its path.

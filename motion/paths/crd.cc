@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "motion/common/state_hash.h"
 
@@ -10,7 +11,8 @@ namespace {
 
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
               kFieldsComplete<CrdRun> && kFieldsComplete<GearShare> && kFieldsComplete<LimitStop> &&
-              kFieldsComplete<PathStart> && kFieldsComplete<SegmentList>);
+              kFieldsComplete<PathStart> && kFieldsComplete<SegmentList> &&
+              kFieldsComplete<Interruption>);
 
 }  // namespace
 
@@ -67,6 +69,14 @@ bool CrdFifo::Flush() {
   return true;
 }
 
+void CrdFifo::LeaveLineBack() {
+  if (!interruption) return;
+  executing = interruption->executing;
+  current = interruption->slot;
+  path = interruption->path;
+  interruption.Reset();
+}
+
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
   const bool joins = slot.is_segment && to.list.joints == JointRule::kFeeds && run.running &&
@@ -88,7 +98,7 @@ void Crd::RestAfterLast(size_t fifo, Micros now) {
   if (PathSlot* last = of.slots.LastSegment()) {
     last->ends_at_rest = true;
   } else if (of.executing) {
-    of.current.ends_at_rest = true;
+    (of.interruption ? of.interruption->slot : of.current).ends_at_rest = true;
     if (run.fifo == fifo) Replan(now);
   }
 }
@@ -100,6 +110,7 @@ void Crd::Clear(size_t fifo) {
   if (cleared.planner) cleared.planner->Clear();
   cleared.executing = false;
   cleared.path = 0;
+  cleared.interruption.Reset();
   cleared.awaits_move = false;
   cleared.done = 0;
 }
@@ -144,6 +155,25 @@ void Crd::Start(size_t fifo, bool single_step, Micros now) {
   if (active().planner) run.curve.squares.reserve(kCurveNodeMax);
   if (active().executing) run.plan = PlanCurrent();
   if (active().awaits_move) run.wait = CrdWait::kMove;
+}
+
+void Crd::Resume(size_t fifo, const PathSlot& back, Micros now) {
+  CrdFifo& from = fifos[fifo];
+  from.LeaveLineBack();
+  if (from.executing && from.current.approach.in_use()) {
+    from.path = MakeApproach(from) ? 0 : from.current.segment.length;
+  } else if (from.executing || from.done > 0) {
+    if (const std::optional<Segment> line = MakeLine(position, from.Breakpoint())) {
+      from.interruption.Emplace({from.executing, from.current, from.path});
+      from.executing = true;
+      from.current = back;
+      from.current.is_segment = true;
+      from.current.segment = *line;
+      from.current.ends_at_rest = true;
+      from.path = 0;
+    }
+  }
+  Start(fifo, false, now);
 }
 
 void Crd::Stop(bool abrupt, Micros now) {
@@ -223,6 +253,10 @@ double Crd::SquareAhead(double most) const {
   for (size_t i = count; i-- > 0;) {
     const PathSlot& next = slots.At(i);
     if (!next.is_segment) continue;
+    if (next.approach.in_use()) {
+      square = rest;
+      continue;
+    }
     const double end = next.ends_at_rest ? 0 : next.end_velocity;
     // A joint at the start velocity or below is a rest, which the path reaches with the former.
     const double after = std::max(std::min(square, end * end), rest);
@@ -314,16 +348,38 @@ void Crd::EndPlan() {
     return;
   }
   if (fifo.path >= fifo.current.segment.length) {
-    position = fifo.current.segment.end;
-    fifo.executing = false;
-    ++fifo.done;
-    for (uint32_t i = 0; i < gear_count; ++i) gears[i].finished = true;
-    if (step_mode || run.single_step) EndRun();
+    EndSegment();
   } else if (!run.stopping) {
     run.velocity = 0;
     run.wait = CrdWait::kOverride;
   }
   if (halted) EndRun();
+}
+
+void Crd::EndSegment() {
+  CrdFifo& fifo = active();
+  position = fifo.current.segment.end;
+  if (fifo.interruption) {
+    fifo.LeaveLineBack();
+    run.velocity = 0;
+    if (fifo.executing) run.plan = PlanCurrent();
+    return;
+  }
+  fifo.executing = false;
+  ++fifo.done;
+  for (uint32_t i = 0; i < gear_count; ++i) gears[i].finished = true;
+  if (step_mode || run.single_step) EndRun();
+}
+
+bool Crd::MakeApproach(CrdFifo& fifo) const {
+  PathSlot& slot = fifo.current;
+  Coordinates end = position;
+  for (size_t i = 0; i < end.size(); ++i) {
+    if ((slot.approach.axes >> i & 1) != 0) end[i] = slot.segment.end[i];
+  }
+  const std::optional<Segment> line = MakeLine(position, end);
+  if (line) slot.segment = *line;
+  return line.has_value();
 }
 
 void Crd::TakeSlot() {
@@ -333,7 +389,12 @@ void Crd::TakeSlot() {
     fifo.slots.Pop();
     fifo.executing = true;
     fifo.path = 0;
-    run.plan = PlanCurrent();
+    if (fifo.current.approach.in_use() && !MakeApproach(fifo)) {
+      fifo.current.segment.end = position;
+      EndSegment();
+    } else {
+      run.plan = PlanCurrent();
+    }
     return;
   }
   run.command = fifo.slots.front().command;

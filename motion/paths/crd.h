@@ -71,6 +71,15 @@ struct SegmentList {
   auto Fields() const { return std::tie(joints, open); }
 };
 
+/// Where a path goes on when the line back to it has been run (Crd::Resume).
+struct Interruption {
+  bool executing = false;  ///< inside `slot`; otherwise behind it
+  PathSlot slot;
+  double path = 0;  ///< reached in it
+
+  auto Fields() const { return std::tie(executing, slot, path); }
+};
+
 struct CrdFifo {
   SlotQueue slots;
   SegmentList list;
@@ -80,8 +89,9 @@ struct CrdFifo {
   bool executing =
       false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
   PathSlot current;
-  double path = 0;           ///< reached in `current`
-  bool awaits_move = false;  ///< the modal `move` has begun; a pause does not end the wait
+  double path = 0;                  ///< reached in `current`
+  Rare<Interruption> interruption;  ///< while `current` is the line back to it
+  bool awaits_move = false;         ///< the modal `move` has begun; a pause does not end the wait
   BufferedCommand move;
   int32_t done = 0;         ///< segments completed (GT_CrdStatus)
   int32_t user_number = 0;  ///< GT_SetUserSegNum, for future segments
@@ -99,10 +109,16 @@ struct CrdFifo {
   bool is_virtual() const { return planner && planner->virtual_run.on; }
   /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
   Coordinates& Tail() { return is_virtual() ? planner->virtual_run.end : tail; }
+  /// Where the path goes on.
+  Coordinates Breakpoint() const {
+    return interruption ? interruption->slot.segment.PointAt(interruption->path)
+                        : current.segment.PointAt(path);
+  }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {
-    return slots.CountSegments() + Ahead().CountSegments() + (executing ? 1 : 0);
+    const bool begun = interruption ? interruption->executing : executing;
+    return slots.CountSegments() + Ahead().CountSegments() + (begun ? 1 : 0);
   }
   /// Appends a slot; false if there is no space, and then nothing has changed.
   bool Append(const PathSlot& slot);
@@ -110,13 +126,15 @@ struct CrdFifo {
   bool Flush();
 
   auto Fields() const {
-    return std::tie(slots, list, look_ahead, planner, tail, executing, current, path, awaits_move,
-                    move, done, user_number);
+    return std::tie(slots, list, look_ahead, planner, tail, executing, current, path, interruption,
+                    awaits_move, move, done, user_number);
   }
 
   // Parts of the functions above.
   bool AppendPlanned(const PathSlot& slot);
   void TakePlanned(bool ended);
+  /// Makes the interrupted segment the current one again.
+  void LeaveLineBack();
 };
 
 /// A profile outside the coordinate system that moves in proportion to one segment (GT_BufGear).
@@ -246,6 +264,10 @@ struct Crd {
   /// Begins a run, or resumes at the breakpoint, still waiting for a modal move that has not ended;
   /// the FIFO or the breakpoint must hold something.
   void Start(size_t fifo, bool single_step, Micros now);
+  /// Starts a run from any position: a line with the velocity, acceleration and override of `back`
+  /// leads to the breakpoint, where the path rests before it goes on. Without length the line is
+  /// left out; a line back that was stopped is made anew, and so is an approach.
+  void Resume(size_t fifo, const PathSlot& back, Micros now);
   /// Decelerates along the path; a faster stop replaces a slower one.
   void Stop(bool abrupt, Micros now);
   /// Plans the rest of the segment again after a change of an override or a limit.
@@ -283,6 +305,10 @@ struct Crd {
   void AwaitData();
   void EndPlan();
   void TakeSlot();
+  /// Makes the line of the current slot, an approach, from the position; false if it has no length,
+  /// and then nothing has changed.
+  bool MakeApproach(CrdFifo& fifo) const;
+  void EndSegment();
   void EndRun();
 };
 

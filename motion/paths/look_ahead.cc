@@ -10,7 +10,7 @@ namespace oncard::motion {
 
 static_assert(kFieldsComplete<LookAhead> && kFieldsComplete<SpeedChain> &&
               kFieldsComplete<SpeedLink> && kFieldsComplete<PathSlot> &&
-              kFieldsComplete<BufferedCommand>);
+              kFieldsComplete<BufferedCommand> && kFieldsComplete<PathApproach>);
 
 void SpeedChain::Push(const SpeedLink& link) {
   back_total = back.empty() ? link : back_total.After(link);

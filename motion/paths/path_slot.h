@@ -63,6 +63,16 @@ struct PlannedMotion {
   auto Fields() const { return std::tie(curved, axis_velocity, axis_acceleration); }
 };
 
+/// A segment that begins wherever the path is when it is reached.
+struct PathApproach {
+  /// Bit n: coordinate n goes along a line to Segment::end, the others stay. 0: the segment begins
+  /// where the one before it ends.
+  uint8_t axes = 0;
+
+  bool in_use() const { return axes != 0; }
+  auto Fields() const { return std::tie(axes); }
+};
+
 /// One element of a buffer.
 struct PathSlot {
   bool is_segment = false;
@@ -79,11 +89,12 @@ struct PathSlot {
   int32_t user_number = 0;       ///< GT_SetUserSegNum
   int32_t given_number = 0;      ///< of the WN forms
   PlannedMotion planned;
+  PathApproach approach;  ///< if in use, it must rest at its end
 
   auto Fields() const {
     return std::tie(is_segment, command, segment, velocity, acceleration, end_velocity,
                     velocity_limit, ends_at_rest, second_override, user_number, given_number,
-                    planned);
+                    planned, approach);
   }
 };
 

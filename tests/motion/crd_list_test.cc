@@ -430,5 +430,167 @@ TEST(OpenList, EndsAWaitingRunAtAStop) {
   EXPECT_FALSE(test.running());
 }
 
+// --- Approaches and lines back -------------------------------------------------------------------
+
+/// A line to a point from wherever the path is, with the coordinates of the set `axes`.
+PathSlot ApproachTo(const Coordinates& end, uint8_t axes, double velocity, double acceleration) {
+  PathSlot slot;
+  slot.is_segment = true;
+  slot.segment.end = end;
+  slot.velocity = velocity;
+  slot.acceleration = acceleration;
+  slot.ends_at_rest = true;
+  slot.approach.axes = axes;
+  return slot;
+}
+
+TEST(Approach, JoinsTheHashOnlyInUse) {
+  EXPECT_EQ(StateHash().Add(PathApproach{}).value(), StateHash().value());
+  EXPECT_NE(StateHash().Add(PathApproach{3}).value(), StateHash().value());
+}
+
+TEST(Approach, BeginsWhereverThePathIs) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400}, 3, 20, 1)));
+  ASSERT_TRUE(test.Line({300, 800}, 20, 1));
+  test.core.SetProfilePosition(1, 800);
+  test.Start();
+  test.RunUntil(10);
+  // 50 of 500 pulses towards (300, 400).
+  EXPECT_NEAR(test.profile(0).position, 30, 1e-9);
+  EXPECT_NEAR(test.profile(1).position, 800 - 40, 1e-9);
+  test.RunUntil(45);  // 20 ms each way, 5 ms at 20
+  EXPECT_EQ(test.profile(0).position, 300);
+  EXPECT_EQ(test.profile(1).position, 400);
+  EXPECT_EQ(test.fifo().done, 1);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(1).position, 800);
+}
+
+TEST(Approach, LeavesOtherCoordinatesWhereTheyAre) {
+  CrdRunTest test(1000, 3);
+  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400, 7}, 3, 20, 1)));
+  test.core.SetProfilePosition(2, 50);
+  test.Start();
+  EXPECT_EQ(test.TicksToEnd(), 45);
+  EXPECT_EQ(test.profile(0).position, 300);
+  EXPECT_EQ(test.profile(2).position, 50);
+}
+
+TEST(Approach, WithoutLengthIsLeftOut) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({}, 3, 20, 1)));
+  ASSERT_TRUE(test.Line({400, 0}, 20, 1));
+  test.Start();
+  EXPECT_EQ(test.TicksToEnd(), 40);
+  EXPECT_EQ(test.fifo().done, 2);
+}
+
+TEST(Approach, ThatWasStoppedIsMadeAnew) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400}, 3, 20, 1)));
+  test.Start();
+  test.RunUntil(20);
+  test.core.StopCrd(0, true);
+  test.TicksToEnd();
+  test.core.SetProfilePosition(0, 0);
+  test.core.SetProfilePosition(1, 0);
+  test.core.ResumeCrd(0, 0, {});
+  EXPECT_EQ(test.TicksToEnd(), 45);
+  EXPECT_EQ(test.profile(0).position, 300);
+  EXPECT_EQ(test.profile(1).position, 400);
+  EXPECT_EQ(test.fifo().done, 1);
+}
+
+/// A run that was stopped in the first of two lines, along X, and whose Y was moved to 300.
+class InterruptedRun : public CrdRunTest {
+ public:
+  InterruptedRun() {
+    crd().start.velocity = 0.5;
+    crd().smooth_stop = 1;
+    EXPECT_TRUE(Line({600, 0}, 10, 1));
+    EXPECT_TRUE(Line({600, 100}, 10, 1));
+    Start();
+    RunUntil(30);
+    core.StopCrd(0, false);
+    TicksToEnd();
+    stopped = profile(0).position;
+    core.SetProfilePosition(1, 300);
+    back.velocity = 20;
+    back.acceleration = 2;
+  }
+
+  double stopped;
+  PathSlot back;
+};
+
+TEST(ResumeCrd, GoesBackToTheBreakpointAndOn) {
+  InterruptedRun test;
+  test.core.ResumeCrd(0, 0, test.back);
+  EXPECT_EQ(test.fifo().Remaining(), 2u);
+  test.core.Tick();
+  // The line back begins with the start velocity.
+  EXPECT_NEAR(test.profile(1).position, 300 - 0.5 - 1, 1e-9);
+  while (test.fifo().interruption) {
+    test.core.Tick();
+    EXPECT_TRUE(!test.fifo().interruption || test.profile(0).position == test.stopped);
+  }
+  // 300 pulses: 9.75 ms up and down, 9.75 * 20.5 pulses; the rest at 20.
+  EXPECT_NEAR(test.crd().run.at, 2 * 9.75 + (300 - 9.75 * 20.5) / 20, 1e-9);
+  EXPECT_EQ(test.profile(1).position, 0);
+  EXPECT_NEAR(test.crd().run.velocity, 0.5, 1);
+  EXPECT_EQ(test.fifo().done, 0);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 600);
+  EXPECT_EQ(test.profile(1).position, 100);
+  EXPECT_EQ(test.fifo().done, 2);
+}
+
+TEST(ResumeCrd, LeavesOutALineWithoutLength) {
+  InterruptedRun test;
+  test.core.SetProfilePosition(1, 0);
+  test.core.ResumeCrd(0, 0, test.back);
+  EXPECT_FALSE(test.fifo().interruption);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 600);
+}
+
+TEST(ResumeCrd, MakesALineBackThatWasStoppedAnew) {
+  InterruptedRun test;
+  test.core.ResumeCrd(0, 0, test.back);
+  test.RunUntil(static_cast<double>(test.core.now()) / 1000 + 5);
+  test.core.StopCrd(0, true);
+  test.TicksToEnd();
+  EXPECT_GT(test.profile(1).position, 200);
+  EXPECT_LT(test.profile(1).position, 300);
+  EXPECT_EQ(test.fifo().Breakpoint(), (Coordinates{test.stopped, 0}));
+  test.core.SetProfilePosition(1, -10);
+  test.core.ResumeCrd(0, 0, test.back);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 600);
+  EXPECT_EQ(test.profile(1).position, 100);
+}
+
+TEST(ResumeCrd, GoesBackBetweenTwoSegments) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Line({400, 0}, 20, 1));
+  ASSERT_TRUE(test.Delay(100));
+  ASSERT_TRUE(test.Line({400, 400}, 20, 1));
+  test.Start();
+  test.RunUntil(50);
+  test.core.StopCrd(0, false);
+  ASSERT_FALSE(test.running());
+  test.core.SetProfilePosition(0, 0);
+  PathSlot back;
+  back.velocity = 20;
+  back.acceleration = 1;
+  test.core.ResumeCrd(0, 0, back);
+  EXPECT_EQ(test.fifo().Remaining(), 1u);
+  EXPECT_EQ(test.TicksToEnd(), 80);
+  EXPECT_EQ(test.profile(0).position, 400);
+  EXPECT_EQ(test.profile(1).position, 400);
+  EXPECT_EQ(test.fifo().done, 2);
+}
+
 }  // namespace
 }  // namespace oncard::motion
