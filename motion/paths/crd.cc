@@ -228,19 +228,25 @@ double Crd::FeedOf(const PathSlot& slot) const {
 double Crd::EndOfCurrent() const {
   const PathSlot& slot = active().current;
   if (active().list.joints == JointRule::kFeeds) {
-    const double most = std::min(slot.end_velocity, FeedOf(slot));
-    // An override of 0 brakes across joints: it does not make the path rest at the next one.
-    if (most == 0 && slot.end_velocity > 0) return SegmentFollows() ? run.velocity : 0;
-    return std::sqrt(std::min(most * most, SquareAhead(most * most)));
+    // A path that brakes keeps its rests; joints between other segments do not make it brake
+    // harder.
+    const bool brakes = run.stopping || FeedOf(slot) == 0;
+    const double most = std::min(brakes ? run.velocity : FeedOf(slot), EndLimit(slot, brakes));
+    return std::sqrt(std::min(most * most, SquareAhead(most * most, brakes)));
   }
   if (!slot.planned.planned || (override_ratio == 1 && second_override == 1)) {
     return slot.end_velocity;
   }
   const double most = slot.end_velocity * slot.end_velocity;
-  return std::sqrt(std::min(most, SquareAhead(most)));
+  return std::sqrt(std::min(most, SquareAhead(most, false)));
 }
 
-double Crd::SquareAhead(double most) const {
+double Crd::EndLimit(const PathSlot& slot, bool brakes) const {
+  if (slot.ends_at_rest || slot.end_velocity <= start.velocity) return start.velocity;
+  return brakes ? kUnlimited : slot.end_velocity;
+}
+
+double Crd::SquareAhead(double most, bool brakes) const {
   const SlotQueue& slots = active().slots;
   size_t count = 0;
   double gain = 0;
@@ -257,19 +263,13 @@ double Crd::SquareAhead(double most) const {
       square = rest;
       continue;
     }
-    const double end = next.ends_at_rest ? 0 : next.end_velocity;
+    const double end = EndLimit(next, brakes);
     // A joint at the start velocity or below is a rest, which the path reaches with the former.
     const double after = std::max(std::min(square, end * end), rest);
-    square = SquareBefore(next, FeedOf(next) * FeedOf(next), after);
+    const double feed = brakes ? kUnlimited : FeedOf(next);
+    square = SquareBefore(next, feed * feed, after);
   }
   return square;
-}
-
-bool Crd::SegmentFollows() const {
-  const SlotQueue& slots = active().slots;
-  size_t i = 0;
-  while (i < slots.size() && !slots.At(i).is_segment) ++i;
-  return i < slots.size();
 }
 
 PathSpan Crd::SpanOfCurrent() const {

@@ -296,10 +296,12 @@ struct Crd {
   /// allows.
   double EndOfCurrent() const;
   /// The square of the largest velocity at which the next segment may be entered so that all later
-  /// ones of the FIFO can be; what lies beyond a distance to brake from `most` does not count.
-  double SquareAhead(double most) const;
-  /// True if another segment waits behind the current one.
-  bool SegmentFollows() const;
+  /// ones of the FIFO can be; what lies beyond a distance to brake from `most`, a square, does not
+  /// count.
+  double SquareAhead(double most, bool brakes) const;
+  /// The largest velocity at the end of a segment, whatever follows; if the path brakes, only a
+  /// rest limits it.
+  double EndLimit(const PathSlot& slot, bool brakes) const;
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent();
   void AwaitData();

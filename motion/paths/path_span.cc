@@ -69,10 +69,10 @@ Plan PlanSpanStop(const PathSpan& span, double deceleration) {
     plan.end_velocity = span.velocity;
     return plan;
   }
-  const double last = std::min(span.end_velocity, span.velocity);
+  const double rest = std::min(span.rest_velocity, span.velocity);
+  const double last = std::max(std::min(span.end_velocity, span.velocity), rest);
   const double needed = (square - last * last) / (2 * distance);
   const double dec = std::max(deceleration, needed);
-  const double rest = std::min(span.rest_velocity, span.velocity);
   if (square - rest * rest <= 2 * dec * distance) {
     plan.Append((span.velocity - rest) / dec, span.velocity, -dec);
     plan.end_position = std::min(plan.end_position, span.end);

@@ -9,6 +9,7 @@
 
 #include "motion/common/state_hash.h"
 #include "tests/motion/crd_run.h"
+#include "tests/motion/planned_path.h"
 
 namespace oncard::motion {
 namespace {
@@ -383,6 +384,19 @@ TEST(SegmentList, AnOverrideOfZeroBrakesAcrossItsJoints) {
   EXPECT_EQ(test.profile(0).position, 2000);
 }
 
+// What the path is slow for when it goes on does not make it brake harder.
+TEST(SegmentList, AStopBrakesAcrossJointsWithItsOwnDeceleration) {
+  ListTest test(0, 1);
+  test.crd().smooth_stop = 0.5;
+  ASSERT_TRUE(test.Append({1000, 20}));
+  ASSERT_TRUE(test.Append({1000, 5}));
+  test.Start();
+  test.RunUntil(50);  // 200 + 30 * 20 = 800, which is 12.5 pulses before it would brake to 5
+  test.core.StopCrd(0, false);
+  EXPECT_EQ(test.TicksToEnd(), 40);
+  EXPECT_NEAR(test.profile(0).position, 800 + 400, 1e-9);
+}
+
 // --- Open lists ----------------------------------------------------------------------------------
 
 TEST(OpenList, MakesARunWaitForMoreSegments) {
@@ -590,6 +604,134 @@ TEST(ResumeCrd, GoesBackBetweenTwoSegments) {
   EXPECT_EQ(test.profile(0).position, 400);
   EXPECT_EQ(test.profile(1).position, 400);
   EXPECT_EQ(test.fifo().done, 2);
+}
+
+// --- Random lists --------------------------------------------------------------------------------
+
+/// A list on a bare coordinate system, to which segments are appended while it runs.
+class RandomList {
+ public:
+  explicit RandomList(uint32_t seed) : random_(seed) {
+    crd_.parameters.dimension = 2;
+    crd_.parameters.velocity_max = 60;
+    crd_.start.velocity = random_.Between(0, 1) < 0.5 ? 0 : random_.Between(0, 3);
+    crd_.smooth_stop = kStop;
+    fifo().list = {JointRule::kFeeds, true};
+    for (double chance = 1; random_.Between(0, 1) < chance; chance = 0.8) AppendSegment();
+  }
+
+  /// Runs to the end, and checks each cycle and the end.
+  void Run() {
+    crd_.Start(0, false, 0);
+    for (int cycle = 1; crd_.run.running; ++cycle) {
+      ASSERT_LT(cycle, 20000);
+      now_ = cycle * Micros{1000};
+      Advance();
+      CheckCycle();
+      if (testing::Test::HasFatalFailure()) return;
+      Disturb(cycle);
+    }
+    EXPECT_EQ(crd_.position, end_);
+    EXPECT_EQ(fifo().done, appended_);
+    EXPECT_EQ(crd_.run.velocity, 0);
+  }
+
+ private:
+  CrdFifo& fifo() { return crd_.fifos[0]; }
+
+  void AppendSegment() {
+    PathSlot slot;
+    slot.is_segment = true;
+    Coordinates next = end_;
+    next[0] += random_.Between(1, 60);
+    next[1] += random_.Between(-60, 60);
+    slot.segment = *MakeLine(end_, next);
+    slot.velocity = random_.Between(0.5, 30);
+    slot.acceleration = kAcceleration;
+    slot.end_velocity = random_.Between(0, 1) < 0.1 ? random_.Between(0, 10) : kUnlimited;
+    slot.ends_at_rest = random_.Between(0, 1) < 0.1;
+    if (slot.ends_at_rest) crd_.RestAfterLast(0, now_);
+    ASSERT_TRUE(crd_.Append(0, slot, now_));
+    end_ = next;
+    ++appended_;
+    if (random_.Between(0, 1) < 0.1) {
+      PathSlot delay;
+      delay.command = {BufferedKind::kDelay, 0, 0, {random_.Between(0, 5)}};
+      ASSERT_TRUE(crd_.Append(0, delay, now_));
+    }
+  }
+
+  void Advance() {
+    before_ = {crd_.run.velocity, crd_.run.stopping, fifo().executing, fifo().done, fifo().path};
+    EXPECT_EQ(crd_.Advance(now_), nullptr);
+  }
+
+  void CheckCycle() {
+    const CrdRun& run = crd_.run;
+    ASSERT_LE(run.velocity, 60);
+    if (fifo().executing && run.plan.count > 0 && run.velocity > crd_.FeedOf(fifo().current)) {
+      // Too fast only while it brakes.
+      ASSERT_LE(run.acceleration, 1e-9);
+    }
+    // At rest the velocity jumps by the start velocity, and it can do so twice in a cycle.
+    const double jump = crd_.start.velocity + 1e-9;
+    const bool same = before_.executing && fifo().executing && fifo().done == before_.done;
+    if (same) {
+      ASSERT_GE(fifo().path, before_.path - 1e-9);
+      ASSERT_LE(fifo().path - before_.path,
+                std::max(run.velocity, before_.velocity) + kAcceleration / 2 + jump);
+    }
+    ASSERT_LE(run.velocity - before_.velocity, kAcceleration + jump);
+    ASSERT_LE(before_.velocity - run.velocity, (before_.stopping ? kStop : kAcceleration) + jump);
+  }
+
+  /// What may happen between two cycles.
+  void Disturb(int cycle) {
+    const double event = random_.Between(0, 1);
+    if (cycle > 300) {
+      crd_.override_ratio = 1;
+      crd_.Replan(now_);
+      crd_.CloseList(0);
+    } else if (event < 0.05) {
+      AppendSegment();
+    } else if (event < 0.06) {
+      crd_.override_ratio = random_.Between(0, 1) < 0.3 ? 0 : random_.Between(0.1, 1.5);
+      crd_.Replan(now_);
+    } else if (event < 0.07) {
+      crd_.Stop(false, now_);
+      stopping_ = crd_.run.running;
+    }
+    // A stop that has ended is resumed.
+    if (!crd_.run.running && (stopping_ || event < 0.07) && !fifo().idle()) {
+      stopping_ = false;
+      crd_.Start(0, false, now_);
+    }
+  }
+
+  static constexpr double kAcceleration = 1;
+  static constexpr double kStop = 2;
+
+  RandomNumbers random_;
+  Crd crd_;
+  Micros now_ = 0;
+  Coordinates end_{};
+  int appended_ = 0;
+  bool stopping_ = false;
+  struct {
+    double velocity;
+    bool stopping;
+    bool executing;
+    int done;
+    double path;
+  } before_{};
+};
+
+TEST(SegmentList, KeepsItsLimitsAndItsEndInAnyRun) {
+  for (uint32_t seed = 0; seed < 100'000; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomList(seed).Run();
+    if (HasFailure()) return;
+  }
 }
 
 }  // namespace
