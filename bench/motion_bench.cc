@@ -195,9 +195,10 @@ void MeasurePath() {
                   {.dimension = 2, .profile = {1, 2}, .velocity_max = 100, .acceleration_max = 1});
     motion::Crd& crd = core.state().crds[0];
     motion::CrdFifo& fifo = crd.fifos[0];
-    fifo.look_ahead.time = 5;
-    fifo.look_ahead.acceleration = 1;
-    fifo.look_ahead.capacity = 200;
+    motion::PathLimits limits;
+    limits.rule = {motion::JointRule::kCorners, 1};
+    limits.corner_time = 5;
+    fifo.planner.Emplace({.limits = limits, .capacity = 200});
     const auto append = [&](int number) {
       motion::PathSlot slot;
       slot.is_segment = true;
@@ -213,7 +214,7 @@ void MeasurePath() {
     core.StartCrd(0, 0, false);
     for (; crd.run.running; ++ticks) {
       while (sent < kSegments && append(sent)) ++sent;
-      if (sent == kSegments && !fifo.look_ahead.ring.empty()) fifo.Flush();
+      if (sent == kSegments && !fifo.Ahead().empty()) fifo.Flush();
       core.Tick();
     }
     if (sent != kSegments || fifo.done != kSegments) Fail("the path has not been run to its end");

@@ -40,17 +40,15 @@ void CrdDriver::SetUp(CrdParameters parameters) {
 }
 
 bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
-  const LookAhead& ahead = crd_.fifos[fifo].look_ahead;
-  double corner = 0;
-  double wanted = 0;
-  if (card_.observed() && slot.is_segment && ahead.on() && ahead.has_newest &&
-      !ahead.newest_rests) {
-    corner = ahead.CornerBefore(slot.segment.TangentAt(0));
-    wanted = std::min(slot.velocity, ahead.newest_velocity);
+  CornerAhead corner;
+  if (card_.observed() && slot.is_segment && crd_.fifos[fifo].planner) {
+    corner = crd_.fifos[fifo].planner->CornerBefore(slot);
   }
   if (!crd_.Append(fifo, slot, card_.now())) return false;
   if (slot.is_segment) TellJunction(crd_.fifos[fifo]);
-  if (corner < wanted) card_.Tell(CardEventKind::kCornerLimited, corner, wanted);
+  if (corner.allowed < corner.wanted) {
+    card_.Tell(CardEventKind::kCornerLimited, corner.allowed, corner.wanted);
+  }
   return true;
 }
 

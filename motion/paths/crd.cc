@@ -19,31 +19,23 @@ static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsC
 // --- FIFOs -------------------------------------------------------------------------------------
 
 bool CrdFifo::Append(const PathSlot& slot) {
-  if (planner) {
+  if (looks_ahead()) {
     if (!AppendPlanned(slot)) return false;
-  } else if (!look_ahead.on()) {
+  } else {
     if (space() == 0) return false;
     slots.Push(slot);
-  } else {
-    if (look_ahead.full()) {
-      if (space() == 0) return false;
-      slots.Push(look_ahead.Take());
-    }
-    look_ahead.Push(slot);
   }
   if (slot.is_segment) Tail() = slot.segment.end;
   return true;
 }
 
 bool CrdFifo::AppendPlanned(const PathSlot& slot) {
-  // Commands before the first segment wait for nothing.
-  size_t leaving = planner->spans.empty() ? 1 : 0;
-  if (slot.is_segment) {
-    leaving = planner->spans.size() < planner->capacity ? 0 : planner->LeavingNext();
-  }
+  const size_t leaving = planner->LeavingFor(slot);
   if (!is_virtual() && space() < leaving) return false;
+  const size_t before = planner->LeavesFirst() ? leaving : 0;
+  for (size_t i = 0; i < before; ++i) TakePlanned(false);
   planner->Push(slot);
-  for (size_t i = 0; i < leaving; ++i) TakePlanned(false);
+  for (size_t i = before; i < leaving; ++i) TakePlanned(false);
   return true;
 }
 
@@ -57,14 +49,10 @@ void CrdFifo::TakePlanned(bool ended) {
 }
 
 bool CrdFifo::Flush() {
-  if (planner) planner->newest.rests = true;
+  if (planner) planner->EndPath();
   while (planner && !planner->ring.empty()) {
     if (!is_virtual() && space() == 0) return false;
     TakePlanned(true);
-  }
-  while (!look_ahead.ring.empty()) {
-    if (space() == 0) return false;
-    slots.Push(look_ahead.Take());
   }
   return true;
 }
@@ -106,7 +94,6 @@ void Crd::RestAfterLast(size_t fifo, Micros now) {
 void Crd::Clear(size_t fifo) {
   CrdFifo& cleared = fifos[fifo];
   cleared.slots.Clear();
-  cleared.look_ahead.Clear();
   if (cleared.planner) cleared.planner->Clear();
   cleared.executing = false;
   cleared.path = 0;

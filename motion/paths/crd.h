@@ -19,7 +19,6 @@
 #include "motion/common/card_defaults.h"
 #include "motion/common/rare.h"
 #include "motion/common/sizes.h"
-#include "motion/paths/look_ahead.h"
 #include "motion/paths/path_planner.h"
 #include "motion/paths/path_slot.h"
 #include "motion/paths/path_span.h"
@@ -52,18 +51,9 @@ struct CrdParameters {
   }
 };
 
-/// What decides how fast a path passes from a segment of a buffer to the next one, when nobody has
-/// planned them before they entered it.
-enum class JointRule : uint8_t {
-  kGiven,  ///< PathSlot::end_velocity
-  /// The lower of both feeds, at most PathSlot::end_velocity, and so that the path can brake into
-  /// all later joints, and to rest behind the last segment of the buffer. A segment that is
-  /// appended raises the velocities before it.
-  kFeeds
-};
-
 /// A buffer as a list of segments.
 struct SegmentList {
+  /// kGiven or kFeeds: the rule of slots that pass no window before they enter the buffer.
   JointRule joints = JointRule::kGiven;
   bool open = false;  ///< a run that has come to its end waits for more slots
 
@@ -83,8 +73,7 @@ struct Interruption {
 struct CrdFifo {
   SlotQueue slots;
   SegmentList list;
-  LookAhead look_ahead;
-  Rare<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
+  Rare<PathPlanner> planner;  ///< the window that slots pass before they enter the FIFO
   Coordinates tail{};         ///< where the last segment ends; not of a virtual run
   bool executing =
       false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
@@ -98,13 +87,12 @@ struct CrdFifo {
 
   /// True if nothing is waiting or in execution.
   bool idle() const { return !executing && !awaits_move && slots.empty() && Ahead().empty(); }
-  /// True if slots pass a look-ahead before they enter the FIFO.
-  bool looks_ahead() const { return look_ahead.on() || planner; }
-  /// The slots in the look-ahead.
-  const SlotQueue& Ahead() const {
-    const PathPlanner* const own = planner.get();
-    return own != nullptr ? own->ring : look_ahead.ring;
-  }
+  /// True if slots pass a window before they enter the FIFO.
+  bool looks_ahead() const { return planner && planner->capacity > 0; }
+  /// True if the window knows limits of each axis.
+  bool plans_axes() const { return planner && planner->limits.rule.joints == JointRule::kAxes; }
+  /// The slots in the window.
+  const SlotQueue& Ahead() const { return planner ? planner->ring : kNoSlots; }
   /// True if nothing reaches the FIFO, and only its time is computed.
   bool is_virtual() const { return planner && planner->virtual_run.on; }
   /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
@@ -126,8 +114,9 @@ struct CrdFifo {
   bool Flush();
 
   auto Fields() const {
-    return std::tie(slots, list, look_ahead, planner, tail, executing, current, path, interruption,
-                    awaits_move, move, done, user_number);
+    return std::tuple_cat(std::tie(slots, list), std::make_tuple(PlannerInHash{planner}),
+                          std::tie(tail, executing, current, path, interruption, awaits_move, move,
+                                   done, user_number));
   }
 
   // Parts of the functions above.

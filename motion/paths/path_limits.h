@@ -32,6 +32,31 @@ struct AxisLimits {
   auto Fields() const { return std::tie(velocity, acceleration, jump); }
 };
 
+/// What decides how fast a path passes from a segment to the next one.
+enum class JointRule : uint8_t {
+  kGiven,  ///< PathSlot::end_velocity
+  /// The lower of both feeds, at most PathSlot::end_velocity, and so that the path can brake into
+  /// all later joints, and to rest behind the last segment of the buffer. A segment that is
+  /// appended raises the velocities before it.
+  kFeeds,
+  /// Corners and curves, with an acceleration of their own (GT_InitLookAhead). The window holds
+  /// slots, and the oldest leaves before another one enters.
+  kCorners,
+  /// Corners and curves with the acceleration of the segments, and what each axis may do
+  /// (GT_InitLookAheadEx). The window holds segments, and the oldest leaves when another one has
+  /// entered.
+  kAxes
+};
+
+/// The rule of a window.
+struct WindowRule {
+  JointRule joints = JointRule::kAxes;
+  double acceleration = 0;  ///< at corners and on curves, if kCorners
+
+  bool in_use() const { return joints != JointRule::kAxes; }
+  auto Fields() const { return std::tie(joints, acceleration); }
+};
+
 struct PathLimits {
   /// At a corner between the unit tangents t and u: v |u - t| <= acceleration * corner_time.
   double corner_time = 0;
@@ -43,9 +68,10 @@ struct PathLimits {
   uint32_t length_axes = kAllCoordinates;
   std::array<AxisLimits, kCrdDimensionMax> axes;
   std::array<AxisLimits, kFollowerMax> followers;  ///< of profiles that follow segments
+  WindowRule rule{};
 
   auto Fields() const {
-    return std::tie(corner_time, radius_ratio, geometric, length_axes, axes, followers);
+    return std::tie(corner_time, radius_ratio, geometric, length_axes, axes, followers, rule);
   }
 };
 

@@ -11,7 +11,9 @@ namespace {
 static_assert(kFieldsComplete<AxisLimits> && kFieldsComplete<PathLimits> &&
               kFieldsComplete<WindowSpan> && kFieldsComplete<NewestSegment> &&
               kFieldsComplete<PathPlanner> && kFieldsComplete<CurveRun> &&
-              kFieldsComplete<FollowRamps>);
+              kFieldsComplete<FollowRamps> && kFieldsComplete<WindowRule> &&
+              kFieldsComplete<CornerWindow> && kFieldsComplete<PathSlot> &&
+              kFieldsComplete<BufferedCommand> && kFieldsComplete<PathApproach>);
 
 /// The largest speed with which a component of the tangent may change at once.
 double JumpSpeed(double jump, double before, double after) {
@@ -152,6 +154,10 @@ double PathPlanner::JunctionBefore(const PathSlot& slot, double commanded,
 void PathPlanner::Push(const PathSlot& pushed) {
   ring.Push(pushed);
   PathSlot& slot = ring.back();
+  if (slot.is_segment && of_corners()) {
+    PushCorner(slot);
+    return;
+  }
   if (slot.is_segment) {
     PushSegment(slot);
     return;
@@ -195,6 +201,13 @@ void PathPlanner::PushSegment(PathSlot& slot) {
             .commanded = commanded,
             .follow = WithoutRamps(slopes, ramps.down)};
   ramps = {};
+}
+
+size_t PathPlanner::LeavingFor(const PathSlot& slot) const {
+  if (of_corners()) return ring.size() < capacity ? 0 : 1;
+  if (slot.is_segment) return spans.size() < capacity ? 0 : LeavingNext();
+  // Commands before the first segment wait for nothing.
+  return spans.empty() ? 1 : 0;
 }
 
 size_t PathPlanner::LeavingNext() const {
@@ -246,6 +259,7 @@ void PathPlanner::PassBackward(bool ended) {
 }
 
 PathSlot PathPlanner::Take(bool ended) {
+  if (of_corners()) return TakeCorner();
   if (!ring.front().is_segment) {
     const PathSlot slot = ring.front();
     ring.Pop();
@@ -266,6 +280,53 @@ PathSlot PathPlanner::Take(bool ended) {
   spans.Pop();
   if (settled > 0) --settled;
   if (spans.empty()) {
+    newest.exists = false;
+    newest.rests = false;
+  }
+  return slot;
+}
+
+// --- A window of corners -----------------------------------------------------------------------
+
+double PathPlanner::CornerBefore(const Coordinates& tangent) const {
+  return CornerSpeed(kAllCoordinates, newest.tangent, tangent, limits.rule.acceleration,
+                     limits.corner_time);
+}
+
+CornerAhead PathPlanner::CornerBefore(const PathSlot& slot) const {
+  if (!of_corners() || !newest.exists || newest.rests) return {};
+  return {CornerBefore(slot.segment.TangentAt(0)), std::min(slot.velocity, corners.velocity)};
+}
+
+void PathPlanner::PushCorner(PathSlot& slot) {
+  const double radius = slot.segment.radius;
+  if (radius > 0) {
+    slot.velocity_limit =
+        std::min(slot.velocity_limit, std::sqrt(limits.rule.acceleration * radius));
+  }
+  const double velocity = std::min(slot.velocity, slot.velocity_limit);
+  double junction = 0;
+  if (newest.exists && !newest.rests) {
+    junction = std::min({velocity, corners.velocity, CornerBefore(slot.segment.TangentAt(0))});
+  }
+  corners.chain.Push({junction * junction, 2 * slot.acceleration * slot.segment.length});
+  corners.velocity = velocity;
+  newest.exists = true;
+  newest.rests = slot.ends_at_rest;
+  newest.tangent = slot.segment.TangentAt(slot.segment.length);
+}
+
+PathSlot PathPlanner::TakeCorner() {
+  PathSlot slot = ring.front();
+  ring.Pop();
+  if (slot.is_segment) {
+    corners.chain.Pop();
+    const double reachable =
+        corners.speed * corners.speed + 2 * slot.acceleration * slot.segment.length;
+    corners.speed = std::sqrt(std::min(corners.chain.SpeedSquare(), reachable));
+    slot.end_velocity = corners.speed;
+  }
+  if (ring.empty()) {
     newest.exists = false;
     newest.rests = false;
   }
@@ -331,7 +392,10 @@ void PathPlanner::Clear() {
   spans.Clear();
   settled = 0;
   speed = 0;
-  newest = {};
+  corners.chain = {};
+  corners.speed = 0;
+  // A window of corners keeps the direction of its last segment.
+  newest = {.tangent = of_corners() ? newest.tangent : Coordinates{}};
   following = {};
   ramps = {};
   virtual_run.time = 0;

@@ -114,4 +114,6 @@ struct SlotQueue : ItemQueue<PathSlot> {
   }
 };
 
+inline const SlotQueue kNoSlots;
+
 }  // namespace oncard::motion

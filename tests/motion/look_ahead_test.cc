@@ -1,6 +1,4 @@
 // Look-ahead: corners, curves, chains of segments, and the resulting runs.
-#include "motion/paths/look_ahead.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 #include <vector>
 
 #include "motion/common/state_hash.h"
-#include "motion/paths/path_limits.h"
+#include "motion/paths/path_planner.h"
 #include "tests/motion/crd_run.h"
 
 namespace oncard::motion {
@@ -47,11 +45,15 @@ TEST(SlotQueue, IsNamedByWhatItHolds) {
   EXPECT_NE(StateHash().Add(taken).value(), StateHash().Add(fresh).value());
 }
 
+PathPlanner Window(size_t capacity, double time, double acceleration) {
+  PathLimits limits;
+  limits.rule = {JointRule::kCorners, acceleration};
+  limits.corner_time = time;
+  return {.limits = limits, .capacity = capacity};
+}
+
 TEST(LookAhead, MatchesABackwardPassOverTheWholeWindow) {
-  LookAhead look_ahead;
-  look_ahead.time = 5;
-  look_ahead.acceleration = 1;
-  look_ahead.capacity = 20;
+  PathPlanner window = Window(20, 5, 1);
   std::vector<PathSlot> slots;
   Coordinates at{};
   for (int i = 0; i < 200; ++i) {
@@ -78,23 +80,21 @@ TEST(LookAhead, MatchesABackwardPassOverTheWholeWindow) {
       square = std::min(junction * junction, square + 0.5 * slots[i].segment.length);
     }
     speed = std::sqrt(std::min(square, speed * speed + 0.5 * slots[taken].segment.length));
-    const PathSlot slot = look_ahead.Take();
+    const PathSlot slot = window.Take(false);
     EXPECT_EQ(slot.segment.end, slots[taken].segment.end);
     EXPECT_NEAR(slot.end_velocity, speed, 1e-12) << taken;
     ++taken;
   };
   for (size_t i = 0; i < slots.size(); ++i) {
-    if (look_ahead.full()) check(i - 1);
-    look_ahead.Push(slots[i]);
+    if (window.Held() == 20) check(i - 1);
+    window.Push(slots[i]);
   }
-  while (!look_ahead.ring.empty()) check(slots.size() - 1);
+  while (!window.ring.empty()) check(slots.size() - 1);
   EXPECT_EQ(speed, 0);
 }
 
 void TurnOn(CrdRunTest* test, size_t capacity, double time, double acceleration) {
-  test->fifo().look_ahead.capacity = capacity;
-  test->fifo().look_ahead.time = time;
-  test->fifo().look_ahead.acceleration = acceleration;
+  test->fifo().planner.Emplace(Window(capacity, time, acceleration));
 }
 
 TEST(LookAhead, TheRingHoldsNAndPassesTheOldestOn) {
@@ -105,7 +105,7 @@ TEST(LookAhead, TheRingHoldsNAndPassesTheOldestOn) {
     ASSERT_TRUE(test.Line({8000.0 + 1600 * i, 9000.0 + 1852 * i}, 100, 0.8));
   }
   EXPECT_EQ(test.fifo().slots.size(), 100u);
-  EXPECT_EQ(test.fifo().look_ahead.ring.size(), 200u);
+  EXPECT_EQ(test.fifo().planner->ring.size(), 200u);
   EXPECT_TRUE(test.fifo().Flush());
   EXPECT_EQ(test.fifo().slots.size(), 300u);
   test.Start();
@@ -205,7 +205,7 @@ TEST(LookAhead, ALongPathNeedsNoMoreMemoryThanTheBuffers) {
     if (sent == kCount && !flushed) flushed = test.fifo().Flush();
     test.core.Tick();
     ASSERT_LE(test.fifo().slots.slots.size(), 2 * kCrdFifoSize);
-    ASSERT_LE(test.fifo().look_ahead.ring.slots.size(), 1002u);
+    ASSERT_LE(test.fifo().planner->ring.slots.size(), 1002u);
   }
   EXPECT_EQ(test.fifo().done, kCount);
 }

@@ -180,10 +180,10 @@ TEST(CardEvent, AnAxisThatAPathMovesWhileItsDriveIsOff) {
 TEST(CardEvent, WhatLookAheadDoes) {
   TalkingCard card;
   card.SetUpPath();
-  motion::LookAhead& look_ahead = card.core.state().crds[0].fifos[0].look_ahead;
-  look_ahead.time = 5;
-  look_ahead.acceleration = 1;
-  look_ahead.capacity = 2;
+  motion::PathLimits limits;
+  limits.rule = {motion::JointRule::kCorners, 1};
+  limits.corner_time = 5;
+  card.core.state().crds[0].fifos[0].planner.Emplace({.limits = limits, .capacity = 2});
   ASSERT_TRUE(card.Line({1000, 0}, 0));
   EXPECT_TRUE(card.said.empty());
   // A right angle: 1 * 5 / (2 sin 45 degrees).

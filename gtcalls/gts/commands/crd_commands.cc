@@ -399,15 +399,14 @@ int16_t GT_GetCrdVel(Call& call) {
 int16_t GT_GetLookAheadSpace(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
-    return fifo.planner ? fifo.planner->capacity - fifo.planner->spans.size()
-                        : fifo.look_ahead.capacity - fifo.look_ahead.ring.size();
+    return fifo.planner ? fifo.planner->capacity - fifo.planner->Held() : 0;
   });
 }
 
 int16_t GT_GetLookAheadSegCount(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
-    return fifo.planner ? fifo.planner->spans.size() : fifo.look_ahead.ring.size();
+    return fifo.planner ? fifo.planner->Held() : 0;
   });
 }
 
@@ -457,7 +456,6 @@ int16_t GT_InitLookAhead(Call& call) {
   }
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  motion::LookAhead& look_ahead = ChangeFifo(call).look_ahead;
   if (!FifoOf(call).Ahead().empty()) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("the look-ahead buffer holds {0} segments, call GT_CrdData with "
@@ -466,11 +464,11 @@ int16_t GT_InitLookAhead(Call& call) {
                                    "GT_CrdClear",
                                    FifoOf(call).Ahead().size()));
   }
-  ChangeFifo(call).planner.Reset();
-  look_ahead.Clear();
-  look_ahead.time = time;
-  look_ahead.acceleration = acceleration;
-  look_ahead.capacity = static_cast<size_t>(call.integer(4));
+  motion::PathLimits limits;
+  limits.rule = {motion::JointRule::kCorners, acceleration};
+  limits.corner_time = time;
+  ChangeFifo(call).planner.Emplace(
+      {.limits = limits, .capacity = static_cast<size_t>(call.integer(4))});
   return vm::kOk;
 }
 

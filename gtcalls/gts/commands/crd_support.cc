@@ -28,11 +28,11 @@ motion::Coordinates PathEnd(const Call& call) {
 
 void MeasureForPlanner(const Call& call, motion::Segment* segment) {
   const motion::CrdFifo& fifo = FifoOf(call);
-  if (fifo.planner) motion::MeasureLength(fifo.planner->limits.length_axes, segment);
+  if (fifo.plans_axes()) motion::MeasureLength(fifo.planner->limits.length_axes, segment);
 }
 
 int16_t CheckNotMixed(Call& call) {
-  if (!FifoOf(call).planner || BufferOf(call).in_pulses) return vm::kOk;
+  if (!FifoOf(call).plans_axes() || BufferOf(call).in_pulses) return vm::kOk;
   return call.Refuse(
       kLookAheadParameter,
       MakeMessage("FIFO {0} of coordinate system {1} takes commands in mm since "
@@ -47,7 +47,7 @@ int16_t CheckNotMixed(Call& call) {
 int16_t AppendSlot(Call& call, const motion::PathSlot& slot) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotMixed(call);
-  const bool planned = code == vm::kOk && FifoOf(call).planner;
+  const bool planned = code == vm::kOk && FifoOf(call).plans_axes();
   if (planned && !slot.is_segment) code = CheckAuxiliaries(call);
   if (code == vm::kOk) code = AppendToFifo(call, slot, PathEnd(call));
   if (!planned || code != vm::kOk) return code;

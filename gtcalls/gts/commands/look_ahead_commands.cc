@@ -39,7 +39,9 @@ constexpr size_t kRelationCells = 35;
 constexpr double kFactorBound = 1e9;
 
 void DropPlanners(const Call& call) {
-  for (CrdFifo& fifo : ChangeCrd(call).fifos) fifo.planner.Reset();
+  for (CrdFifo& fifo : ChangeCrd(call).fifos) {
+    if (fifo.plans_axes()) fifo.planner.Reset();
+  }
 }
 
 }  // namespace
@@ -52,7 +54,7 @@ int16_t GT_SetupLookAheadCrd(Call& call) {
   if (code != vm::kOk) return code;
   if (CheckCrd(call, NumberOf(call)) != vm::kOk) return kPlatformRefuses;
   for (const CrdFifo& fifo : CrdOf(call).fifos) {
-    if (fifo.planner && !fifo.planner->ring.empty()) {
+    if (fifo.plans_axes() && !fifo.planner->ring.empty()) {
       return call.Refuse(kPlatformRefuses,
                          MakeMessage("the look-ahead still holds {0} commands: call GT_CrdDataEx "
                                      "with NULL until it gives 0, or GT_CrdClear",
@@ -296,8 +298,6 @@ void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
       fifo.Remaining() == 0 ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
   // The planner's path begins at rest, also after a segment with an end velocity.
   if (!fifo.looks_ahead()) ChangeCrd(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
-  fifo.look_ahead.Clear();
-  fifo.look_ahead.capacity = 0;
   fifo.planner.Emplace({.limits = limits, .capacity = static_cast<size_t>(window)});
   fifo.tail = start;
   BufferOf(call) = {};

@@ -57,7 +57,7 @@ int16_t CheckEstablished(Call& call) {
 int16_t CheckInitialised(Call& call) {
   const int16_t code = CheckEstablished(call);
   if (code != vm::kOk) return code;
-  if (!FifoOf(call).planner) {
+  if (!FifoOf(call).plans_axes()) {
     return call.Refuse(kNotInitialised,
                        MakeMessage("the look-ahead of FIFO {0} has not been initialised, or not "
                                    "since GT_SetCrdPrm or GT_SetupLookAheadCrd: call "
