@@ -125,21 +125,27 @@ void BusAxes::SendOutputs(size_t axis) {
   }
 }
 
-void BusAxes::AdvanceDrive(size_t number) {
-  bus::Bus& line = state_.bus->line;
+bus::DriveWorld BusAxes::WorldOf(size_t number) const {
   const size_t index = *MotorOf(number);
-  const std::vector<bus::ProbeEdge> edges = ProbeEdgesOf(number);
   bus::DriveWorld world{.motor = state_.plants[index],
                         .mechanics = state_.drives[index],
                         .marks = state_.index_marks[index],
                         .switches = state_.switches,
                         .axis = index,
-                        .probe_edges = edges,
+                        .probe_edges = {},
                         .cycle_us = config_.cycle_us,
                         .servo_us = config_.servo_us};
   for (size_t i = 0; i < bus::kSwitchCount; ++i) {
     world.pins[i] = (state_.io.Pins(kSwitchTypes[i]) >> index & 1) != 0;
   }
+  return world;
+}
+
+void BusAxes::AdvanceDrive(size_t number) {
+  bus::Bus& line = state_.bus->line;
+  const std::vector<bus::ProbeEdge> edges = ProbeEdgesOf(number);
+  bus::DriveWorld world = WorldOf(number);
+  world.probe_edges = edges;
   bus::BusDrive& drive = *line.slave(number).drive;
   if (line.phase() == bus::BusPhase::kOp && line.Answers(number)) {
     drive.Advance(world);
@@ -231,6 +237,38 @@ void BusAxes::JudgeHoming(BusAxis& own, uint16_t status) {
 void BusAxes::Align(size_t axis) {
   if (!readings_.AxisMoving(state_.axes[axis])) Origins(state_, config_).AlignWithEncoder(axis);
   link(axis).lead = link(axis).feedback() - readings_.CommandedPosition(axis);
+}
+
+bool BusAxes::OnlyMove() const {
+  const bus::Bus& line = state_.bus->line;
+  if (line.phase() != bus::BusPhase::kOp) return false;
+  for (size_t i = 0; i < line.slave_count(); ++i) {
+    const std::optional<size_t> motor = MotorOf(i);
+    // A drive that moves the motor of an axis is that of the axis.
+    if (motor && (!link(*motor).on_bus() || SlaveOf(*motor) != i)) return false;
+  }
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (link(i).on_bus() && !OnlyMoves(i)) return false;
+  }
+  return true;
+}
+
+bool BusAxes::OnlyMoves(size_t axis) const {
+  const bus::Bus& line = state_.bus->line;
+  const BusAxis& own = link(axis);
+  const size_t number = SlaveOf(axis);
+  if (!line.Answers(number) || MotorOf(number) != axis) return false;
+  if (own.resets_fault || own.homing != BusHoming::kNone) return false;
+  const bus::BusDrive& drive = *line.slave(number).drive;
+  if (!line.ExchangesOnlyPositions(number) || !drive.OnlyMoves(WorldOf(number))) return false;
+  if (line.Output(number, ObjectId::kControlWord) != ControlWordOf(axis)) return false;
+  // What Follow() concludes is already known.
+  const DriveState state = bus::StateOf(StatusWordOf(axis));
+  const bool enabled = state == DriveState::kOperationEnabled && own.enable;
+  if (state != drive.state() || own.alarm != (state == DriveState::kFault)) return false;
+  if (state_.axes[axis].servo_on != enabled || own.follows != enabled) return false;
+  if (ModeOf(axis) != drive.mode()) return false;
+  return own.counts == Whole(state_.plants[axis].position - drive.origin());
 }
 
 // --- Commands -----------------------------------------------------------------------------------

@@ -48,6 +48,11 @@ class BusAxes {
   /// one bit each.
   uint32_t Follow();
 
+  /// True if the cycles from now on only move drives, each to what is planned for its axis or not
+  /// at all, as long as nothing else changes. The exchange in the last of such cycles then leaves
+  /// the bus as those of all would.
+  bool OnlyMove() const;
+
   // --- Commands ----------------------------------------------------------------------------------
 
   void Enable(size_t axis, bool on);
@@ -71,6 +76,9 @@ class BusAxes {
   uint16_t ControlWordOf(size_t axis) const;
   void SendOutputs(size_t axis);
   void AdvanceDrive(size_t number);
+  /// The surroundings of a slave that moves a motor, without edges of its probes.
+  bus::DriveWorld WorldOf(size_t number) const;
+  bool OnlyMoves(size_t axis) const;
   /// The axis whose motor a slave moves; empty for one that is no drive of this card.
   std::optional<size_t> MotorOf(size_t number) const;
   void ReadFeedback(size_t axis);

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace oncard::motion::bus {
+namespace {
+
+constexpr uint8_t kPositionBits = 32;
+
+}  // namespace
 
 Bus::Bus(SlavesPointer configured, SlavesPointer connected)
     : configured_(std::move(configured)), connected_(std::move(connected)) {
@@ -97,6 +102,22 @@ bool Bus::SetOutput(size_t number, ObjectId id, int64_t value) {
 void Bus::SendOutput(size_t number, ObjectId id, int64_t value) {
   const MappedObject* object = FindOutput(number, id);
   if (object != nullptr) image_.PutUnlessHeld(object->place.bit, object->place.bits, value);
+}
+
+bool Bus::ExchangesOnlyPositions(size_t number) const {
+  const MappedObject* measured = FindInput(number, ObjectId::kPositionActual);
+  if (measured == nullptr || measured->place.bits != kPositionBits || image_.held()) return false;
+  const ObjectValues& values = slaves_[number].drive->values();
+  int targets = 0;
+  for (const MappedObject& object : (*mapped_)[number].outputs.all()) {
+    if (object.id != ObjectId::kTargetPosition) {
+      if (values[object.id] != ValueOf(object)) return false;
+    } else {
+      if (object.place.bits != kPositionBits) return false;
+      ++targets;
+    }
+  }
+  return targets == 1;
 }
 
 void Bus::TakeOutputs() {

@@ -90,6 +90,10 @@ class Bus {
   void SendOutput(size_t number, ObjectId id, int64_t value);
   std::optional<int64_t> Output(size_t number, ObjectId id) const;
   bool HasOutput(size_t number, ObjectId id) const;
+  /// True if the next exchange changes nothing of a drive but positions, as long as its other
+  /// outputs stay as they are in the image. Its process data contain the target position, once, and
+  /// the measured position, both with all their bits.
+  bool ExchangesOnlyPositions(size_t number) const;
   /// Slaves take their outputs (in OP), and give their inputs (in SAFE-OP and OP).
   void TakeOutputs();
   void GiveInputs();

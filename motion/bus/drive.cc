@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "motion/common/rounding.h"
 #include "motion/io/analog.h"
@@ -28,6 +31,9 @@ std::optional<Sensor> SensorOf(DiType type) {
       return std::nullopt;
   }
 }
+
+// Another member, which cycles may change: OnlyMoves() says what makes sure that they do not.
+static_assert(std::tuple_size_v<decltype(std::declval<const BusDrive&>().Fields())> == 13);
 
 bool IsTorqueMode(DriveMode mode) {
   return mode == DriveMode::kProfileTorque || mode == DriveMode::kCyclicTorque;
@@ -110,6 +116,25 @@ void BusDrive::AdvanceAlone(const DriveWorld& world) {
   PassagesOf(from, world);
 }
 
+bool BusDrive::OnlyMoves(const DriveWorld& world) const {
+  const int64_t wanted = values_[ObjectId::kMode];
+  if (IsSupportedMode(wanted) && static_cast<DriveMode>(wanted) != mode_) return false;
+  const auto control = static_cast<uint16_t>(values_[ObjectId::kControlWord]);
+  if (control != control_before_ || NextState(state_, control, control) != state_) return false;
+  if (homing_.phase != HomingPhase::kIdle || !TouchProbes::HasTakenFunction(values_)) return false;
+  if (OperatedAt(world) != operated_) return false;
+  const Plant& motor = world.motor;
+  switch (state_) {
+    case DriveState::kOperationEnabled:
+      if (mode_ != DriveMode::kCyclicPosition || motor.stalled) return false;
+      return world.mechanics.kind == DriveKind::kIdeal || world.mechanics.unit != 0;
+    case DriveState::kQuickStopActive:
+      return false;
+    default:
+      return motor.hand == 0 && ramp_.position == motor.position;
+  }
+}
+
 void BusDrive::Idle(const DriveWorld& world) {
   Plant& motor = world.motor;
   motor.velocity = motor.stalled ? 0 : motor.hand;
@@ -166,10 +191,16 @@ void BusDrive::AdvanceCyclicPosition(const DriveWorld& world) {
   ramp_.velocity = (ramp_.position - begin) / world.cycle_ms();
 }
 
-double BusDrive::Bounded(double counts) const {
+CountRange BusDrive::SoftLimits() const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto smallest = static_cast<double>(values_[ObjectId::kSoftLimitMin]);
   const auto largest = static_cast<double>(values_[ObjectId::kSoftLimitMax]);
-  return smallest < largest ? std::clamp(counts, smallest, largest) : counts;
+  return smallest < largest ? CountRange{smallest, largest} : CountRange{-kNone, kNone};
+}
+
+double BusDrive::Bounded(double counts) const {
+  const CountRange range = SoftLimits();
+  return std::clamp(counts, range.low, range.high);
 }
 
 void BusDrive::AdvanceProfilePosition(const DriveWorld& world) {
@@ -249,6 +280,10 @@ void BusDrive::AdvanceTorque(const DriveWorld& world) {
   ramp_ = {world.motor.position, world.motor.velocity};
 }
 
+double BusDrive::LoopGain(const motion::Drive& mechanics, double servo_ms) {
+  return 1 / (kPositionLoopLags * std::max(mechanics.tau, servo_ms));
+}
+
 void BusDrive::Follow(const Ramp& before, const DriveWorld& world) {
   Plant& motor = world.motor;
   if (motor.stalled) {
@@ -261,7 +296,7 @@ void BusDrive::Follow(const Ramp& before, const DriveWorld& world) {
     return;
   }
   const double servo_ms = static_cast<double>(world.servo_us) / kPerSecond;
-  const double gain = 1 / (kPositionLoopLags * std::max(world.mechanics.tau, servo_ms));
+  const double gain = LoopGain(world.mechanics, servo_ms);
   const auto steps = static_cast<int>(world.cycle_us / world.servo_us);
   const double advance = (ramp_.position - before.position) / steps;
   for (int i = 1; i <= steps; ++i) {
@@ -276,6 +311,17 @@ void BusDrive::Follow(const Ramp& before, const DriveWorld& world) {
 
 int64_t BusDrive::CountsAt(double place) const {
   return static_cast<int64_t>(Whole(place - origin_));
+}
+
+std::array<bool, kSwitchCount> BusDrive::OperatedAt(const DriveWorld& world) {
+  std::array<bool, kSwitchCount> operated = world.pins;
+  for (const PositionSwitch& contact : world.switches) {
+    const std::optional<Sensor> sensor = SensorOf(contact.type);
+    if (contact.axis != world.axis || !sensor) continue;
+    operated[static_cast<size_t>(*sensor)] =
+        contact.connected && contact.Inside(world.motor.position);
+  }
+  return operated;
 }
 
 std::vector<Passage> BusDrive::PassagesOf(double from, const DriveWorld& world) {

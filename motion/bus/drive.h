@@ -50,6 +50,12 @@ enum class DriveMode : uint8_t {
 /// True for the modes above.
 bool IsSupportedMode(int64_t mode);
 
+/// Counts that a drive does not leave.
+struct CountRange {
+  double low = 0;
+  double high = 0;
+};
+
 /// An edge of a probe input inside a cycle.
 struct ProbeEdge {
   uint8_t probe = 0;
@@ -82,6 +88,14 @@ class BusDrive {
   bool enabled() const { return state_ == DriveState::kOperationEnabled; }
   const HomingRun& homing() const { return homing_; }
   DriveMode mode() const { return mode_; }
+  /// Plant::position at which 6064h is 0.
+  double origin() const { return origin_; }
+  /// What the motor follows, as Plant::position.
+  const Ramp& ramp() const { return ramp_; }
+  /// The software limits 607Dh; infinite if there are none.
+  CountRange SoftLimits() const;
+  /// The gain of the position loop, 1/ms.
+  static double LoopGain(const motion::Drive& mechanics, double servo_ms);
 
   /// Switched on, with the motor there: 6064h is 0.
   void PowerOn(double motor);
@@ -94,6 +108,12 @@ class BusDrive {
   void LoseBus();
   /// The bus leaves the operational state: it is disabled.
   void Disable();
+  /// True if the cycles from now on only move the motor towards the target position, or leave it
+  /// where it is, as long as nothing but the target changes and the motor operates no switch. All
+  /// that such a cycle leaves for the next one is where the ramp is.
+  bool OnlyMoves(const DriveWorld& world) const;
+  /// Such cycles have passed.
+  void ContinueFrom(double ramp_position) { ramp_.position = ramp_position; }
   /// The level of a probe input at power-on.
   void SetProbeLevel(size_t probe, bool level) { probes_.levels[probe] = level; }
 
@@ -121,6 +141,8 @@ class BusDrive {
   void Idle(const DriveWorld& world);
 
   // What it measures.
+  /// The switches that are operated where the motor is.
+  static std::array<bool, kSwitchCount> OperatedAt(const DriveWorld& world);
   std::vector<Passage> PassagesOf(double from, const DriveWorld& world);
   void Measure(double from, double velocity_before, const DriveWorld& world);
   void MeasureTorque(double velocity_before, const DriveWorld& world);

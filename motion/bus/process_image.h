@@ -31,6 +31,8 @@ class ProcessImage {
   /// Writes of a host, inside the image; they hold until EndExchange().
   void WriteByHost(size_t offset, std::span<const uint8_t> data);
   void EndExchange();
+  /// True if a host has written since the last exchange.
+  bool held() const { return any_held_; }
   /// All bytes 0.
   void Clear();
 

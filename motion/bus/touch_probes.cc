@@ -16,6 +16,12 @@ void SetStatus(ObjectValues& values, size_t probe, uint32_t status) {
   values.Set(ObjectId::kProbeStatus, (word & ~(uint32_t{0xFF} << shift)) | status << shift);
 }
 
+/// The status of a probe once it has taken its function.
+uint32_t StatusWithFunction(const ObjectValues& values, size_t probe) {
+  const bool enabled = (ByteOf(values, ObjectId::kProbeFunction, probe) & kProbeEnable) != 0;
+  return enabled ? ByteOf(values, ObjectId::kProbeStatus, probe) | kProbeEnabled : 0;
+}
+
 constexpr ObjectId kCaptured[kProbeCount][2] = {
     {ObjectId::kProbe1Falling, ObjectId::kProbe1Rising},
     {ObjectId::kProbe2Falling, ObjectId::kProbe2Rising},
@@ -25,10 +31,16 @@ constexpr ObjectId kCaptured[kProbeCount][2] = {
 
 void TouchProbes::TakeFunction(ObjectValues& values) {
   for (size_t probe = 0; probe < kProbeCount; ++probe) {
-    const bool enabled = (ByteOf(values, ObjectId::kProbeFunction, probe) & kProbeEnable) != 0;
-    const uint32_t status = ByteOf(values, ObjectId::kProbeStatus, probe);
-    SetStatus(values, probe, enabled ? status | kProbeEnabled : 0);
+    SetStatus(values, probe, StatusWithFunction(values, probe));
   }
+}
+
+bool TouchProbes::HasTakenFunction(const ObjectValues& values) {
+  for (size_t probe = 0; probe < kProbeCount; ++probe) {
+    const uint32_t status = ByteOf(values, ObjectId::kProbeStatus, probe);
+    if (StatusWithFunction(values, probe) != status) return false;
+  }
+  return true;
 }
 
 void TouchProbes::Edge(size_t probe, bool level, int64_t position, ObjectValues& values) {

@@ -33,6 +33,8 @@ struct TouchProbes {
 
   /// Takes the present function: a probe that is disabled forgets what it has captured.
   static void TakeFunction(ObjectValues& values);
+  /// True if that would change nothing.
+  static bool HasTakenFunction(const ObjectValues& values);
   /// The input of a probe has a new level, while the drive was at `position`.
   void Edge(size_t probe, bool level, int64_t position, ObjectValues& values);
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+
 #include "tests/motion/bus/bus_card.h"
 
 namespace oncard::motion::bus {
@@ -208,6 +211,120 @@ TEST(BusAxes, ACopyOfTheStateContinuesInTheSameWay) {
   card.core.state() = copy;
   card.core.Advance(50);
   EXPECT_EQ(card.core.Hash(), end);
+}
+
+// --- Cycles that only move drives
+// ------------------------------------------------------------------
+
+/// What makes the next cycle do something else than move drives.
+struct Disturbance {
+  const char* name;
+  void (*cause)(BusCard& card);
+};
+
+constexpr Disturbance kDisturbances[] = {
+    {"the bus ends", [](BusCard& card) { card.bus().Terminate(); }},
+    {"the bus begins again", [](BusCard& card) { card.bus().Init(card.core.now()); }},
+    {"a slave is lost", [](BusCard& card) { card.bus().slave(0).lost = true; }},
+    {"a drive is silent", [](BusCard& card) { card.bus().slave(1).silent = true; }},
+    {"a drive has a fault", [](BusCard& card) { card.drive(1).LoseBus(); }},
+    {"a fault is reset", [](BusCard& card) { card.link(1).resets_fault = true; }},
+    {"an axis is switched off", [](BusCard& card) { card.link().enable = false; }},
+    {"another mode",
+     [](BusCard& card) { card.core.bus_axes().SetMode(kX, DriveMode::kCyclicVelocity); }},
+    {"another mode, by the mailbox",
+     [](BusCard& card) { card.drive().values().Set(ObjectId::kMode, 9); }},
+    {"homing begins", [](BusCard& card) { card.core.bus_axes().StartHoming(kX); }},
+    {"another output",
+     [](BusCard& card) { card.bus().SetOutput(kX, ObjectId::kTargetVelocity, 7); }},
+    {"a probe is enabled",
+     [](BusCard& card) {
+       card.bus().SetOutput(kX, ObjectId::kProbeFunction, kProbeEnable);
+       card.drive().values().Set(ObjectId::kProbeFunction, kProbeEnable);
+     }},
+    {"a host writes the image",
+     [](BusCard& card) {
+       const std::array<uint8_t, 1> control = {kControlEnable};
+       card.bus().image().WriteByHost(card.bus().place(kX).outputs, control);
+     }},
+    {"another control word",
+     [](BusCard& card) { card.bus().SetOutput(kX, ObjectId::kControlWord, kControlShutdown); }},
+    {"another control word, by the mailbox",
+     [](BusCard& card) { card.drive().values().Set(ObjectId::kControlWord, kControlShutdown); }},
+    {"a motor is blocked", [](BusCard& card) { card.motor().stalled = true; }},
+    {"a motor is moved", [](BusCard& card) { card.motor().position += 7; }},
+    {"a motor that is off is turned by hand", [](BusCard& card) { card.motor(2).hand = 1; }},
+    {"a motor that is off is moved", [](BusCard& card) { card.motor(2).position += 0.25; }},
+    {"a pin changes", [](BusCard& card) { card.core.state().io.SetPin(DiType::kHome, kX, true); }},
+    {"a switch operates",
+     [](BusCard& card) {
+       card.core.state().switches.push_back(
+           {.axis = kX, .type = DiType::kHome, .first = -1e6, .last = 1e6});
+     }},
+    {"the axis has not yet followed", [](BusCard& card) { card.link().follows = false; }},
+    {"the axis is not yet enabled", [](BusCard& card) { card.axis(1).servo_on = false; }},
+    {"an alarm ends", [](BusCard& card) { card.link(1).alarm = true; }},
+};
+
+TEST(BusAxes, OnlyMoveUnlessSomethingElseHappens) {
+  for (const Disturbance& disturbance : kDisturbances) {
+    SCOPED_TRACE(disturbance.name);
+    BusCard card({FullDrive(0), FullDrive(1), FullDrive(2)});
+    card.Power();
+    card.Enable(2);
+    Jog(card, 10);
+    card.Ticks(20);
+    EXPECT_TRUE(card.core.bus_axes().OnlyMove());
+    disturbance.cause(card);
+    EXPECT_FALSE(card.core.bus_axes().OnlyMove());
+  }
+}
+
+/// Process data with which a cycle does something else than lanes can do.
+struct OddData {
+  const char* name;
+  void (*change)(Slave& drive);
+};
+
+constexpr OddData kOddData[] = {
+    {"no control word",
+     [](Slave& drive) {
+       drive.outputs[0] = {0, 0, 16};
+     }},
+    {"no target position",
+     [](Slave& drive) {
+       drive.outputs[1] = {0, 0, 32};
+     }},
+    {"a short target position", [](Slave& drive) { drive.outputs[1].bits = 24; }},
+    {"two target positions", [](Slave& drive) { drive.outputs.push_back(drive.outputs[1]); }},
+    {"no status word",
+     [](Slave& drive) {
+       drive.inputs[0] = {0, 0, 16};
+     }},
+    {"no measured position",
+     [](Slave& drive) {
+       drive.inputs[1] = {0, 0, 32};
+     }},
+    {"a short measured position", [](Slave& drive) { drive.inputs[1].bits = 24; }},
+};
+
+TEST(BusAxes, OnlyMoveWithWholePositionsAndBothWordsInTheProcessData) {
+  for (const OddData& data : kOddData) {
+    SCOPED_TRACE(data.name);
+    Slave odd = FullDrive(0);
+    data.change(odd);
+    BusCard card({odd});
+    card.Power();
+    card.Enable();
+    EXPECT_FALSE(card.core.bus_axes().OnlyMove());
+  }
+}
+
+TEST(BusAxes, OnlyMoveIfNoOtherDriveMovesTheMotorOfAnAxis) {
+  BusCard card({FullDrive(0), FullDrive(0)});
+  card.Power();
+  card.Enable();
+  EXPECT_FALSE(card.core.bus_axes().OnlyMove());
 }
 
 }  // namespace
