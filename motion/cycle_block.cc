@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/bus_axes.h"
+#include "motion/common/rounding.h"
 #include "motion/lane_uses.h"
 
 namespace oncard::motion {
@@ -14,7 +16,7 @@ static_assert(kLaneUsesComplete<MotionState> && kLaneUsesComplete<Profile> &&
               kLaneUsesComplete<Sample> && kLaneUsesComplete<Axis> &&
               kLaneUsesComplete<AxisValue> && kLaneUsesComplete<Encoder> &&
               kLaneUsesComplete<Plant> && kLaneUsesComplete<Step> && kLaneUsesComplete<Control> &&
-              kLaneUsesComplete<Dac>);
+              kLaneUsesComplete<Dac> && kLaneUsesComplete<BusPart> && kLaneUsesComplete<BusAxis>);
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
@@ -42,7 +44,7 @@ CycleBlock::CycleBlock(MotionState& state, const MotionConfig& config, LaneKerne
 
 bool CycleBlock::CardIsPlain() const {
   if (state_.compensates || state_.gantry.on || state_.homing_runs) return false;
-  if (state_.bus || state_.shapers) return false;
+  if (state_.shapers || (state_.bus && !BusAxes(state_, config_).OnlyMove())) return false;
   if (state_.capture.armed() || state_.compare.active() || !state_.reached.empty()) return false;
   if (!state_.io.InputsSettled()) return false;
   return std::ranges::all_of(state_.adcs, &Adc::settled) && SwitchesRest() && AuxiliaryRests();
@@ -80,6 +82,7 @@ bool CycleBlock::AxisIsPlain(size_t index) const {
 }
 
 std::optional<LaneKind> CycleBlock::KindOf(size_t index) const {
+  if (readings_.OnBus(index)) return BusKind(index);
   const Plant& plant = state_.plants[index];
   const bool on = state_.axes[index].servo_on;
   if (!OwnOrNone(plant.axis, index) || !OwnOrNone(plant.control, index)) return std::nullopt;
@@ -99,14 +102,27 @@ std::optional<LaneKind> CycleBlock::ServoKind(size_t index) const {
                                                            : LaneKind::kServoIdeal;
 }
 
+std::optional<LaneKind> CycleBlock::BusKind(size_t index) const {
+  const bus::BusDrive& drive = BusDriveOf(index);
+  // The sum of origin and target must not be rounded by much.
+  if (std::fabs(drive.origin()) > kLaneCountMax) return std::nullopt;
+  if (std::fabs(drive.ramp().position - drive.origin()) > kLaneCountMax) return std::nullopt;
+  const bool velocity = state_.drives[index].kind == DriveKind::kVelocity;
+  // A drive that is off does not control its motor.
+  return velocity && drive.enabled() ? LaneKind::kBusVelocity : LaneKind::kBusIdeal;
+}
+
 int64_t CycleBlock::CyclesBeforeEvent() const {
   const WorldProgress& world = state_.world;
   if (world.events == nullptr || static_cast<size_t>(world.next) >= world.events->size()) {
     return kNoEnd;
   }
   const Micros left = (*world.events)[static_cast<size_t>(world.next)].at - now();
-  // An event acts at the begin of the first cycle that begins at its instant or later.
-  return left <= 0 ? 0 : (left + config_.cycle_us - 1) / config_.cycle_us;
+  if (left <= 0) return 0;
+  // An edge of a probe acts inside the cycle of its instant.
+  if (state_.bus) return (left - 1) / config_.cycle_us;
+  // Any other event acts at the begin of the first cycle that begins at its instant or later.
+  return (left + config_.cycle_us - 1) / config_.cycle_us;
 }
 
 int64_t CycleBlock::CyclesInBand(const Axis& axis) const {
@@ -160,6 +176,7 @@ bool CycleBlock::Load() {
     LoadControl(i);
     LoadDrive(i);
     LoadEncoder(i);
+    if (readings_.OnBus(i)) LoadBusDrive(i);
     LoadProfile(i);
     if (plans_) LoadPlan(i);
   }
@@ -169,6 +186,7 @@ bool CycleBlock::Load() {
   // Kinds of lanes that do not use a value leave it as it is in both states.
   lanes_.other() = lanes_.current();
   loaded_ = true;
+  tick_next_ = false;
   loaded_at_ = state_.cycle;
   end_ = Ahead(cycles);
   return true;
@@ -190,6 +208,7 @@ void CycleBlock::LoadTiming() {
   constants_.cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
   constants_.per_cycle_ms = ExactReciprocal(constants_.cycle_ms);
   constants_.servo_ms = config_.ServoMs();
+  constants_.per_servo_ms = ExactReciprocal(constants_.servo_ms);
   constants_.sub_steps = static_cast<int32_t>(config_.cycle_us / config_.servo_us);
   constants_.per_sub_steps = ExactReciprocal(constants_.sub_steps);
   constants_.integral_unit = kIntegralUnit;
@@ -220,6 +239,7 @@ void CycleBlock::AssignLanes(const std::array<LaneKind, kAxisMax>& kinds) {
   constants_.motor_low.fill(-kNoBound);
   constants_.motor_high.fill(kNoBound);
   constants_.error_limit.fill(kNoBound);
+  constants_.unit.fill(1);
 }
 
 void CycleBlock::LoadAxis(size_t index) {
@@ -301,6 +321,25 @@ void CycleBlock::LoadEncoder(size_t index) {
   values.count[lane] = encoder.position;
   values.count_velocity[lane] = encoder.velocity;
   values.count_acceleration[lane] = encoder.acceleration;
+}
+
+void CycleBlock::LoadBusDrive(size_t index) {
+  const bus::BusDrive& drive = BusDriveOf(index);
+  const BusAxis& link = state_.bus->axes[index];
+  const bus::CountRange limits = drive.SoftLimits();
+  const size_t lane = lane_of_[index];
+  constants_.follows[lane] = Choice(link.follows);
+  constants_.origin[lane] = drive.origin();
+  constants_.lead[lane] = link.lead;
+  // A drive that is off has no target.
+  constants_.counts_per_pulse[lane] = link.follows ? link.unit() : 0;
+  constants_.target_low[lane] = link.follows ? std::max(limits.low, -kLaneCountMax) : 0;
+  constants_.target_high[lane] = link.follows ? std::min(limits.high, kLaneCountMax) : 0;
+  constants_.loop_gain[lane] = bus::BusDrive::LoopGain(state_.drives[index], config_.ServoMs());
+  constants_.error_window[lane] = static_cast<double>(drive.values()[bus::ObjectId::kErrorWindow]);
+  constants_.output_limit[lane] = kDacFull;
+  constants_.direction[lane] = 1 / link.unit();
+  lanes_.current().ramp[lane] = drive.ramp().position;
 }
 
 void CycleBlock::LoadSwitch(const PositionSwitch& contact) {
@@ -405,11 +444,15 @@ int64_t CycleBlock::CyclesAhead() {
 
 int64_t CycleBlock::Run(int64_t cycles) {
   if (still()) return cycles;
-  if (kernel_(constants_, lanes_, 1) == 0) return 0;
-  shown_ = false;
-  if (plans_) TrimStillGroups();
-  if (cycles == 1 || still()) return cycles;
-  return 1 + kernel_(constants_, lanes_, cycles - 1);
+  int64_t done = kernel_(constants_, lanes_, 1);
+  if (done == 1) {
+    shown_ = false;
+    if (plans_) TrimStillGroups();
+    if (still()) return cycles;
+    if (cycles > 1) done += kernel_(constants_, lanes_, cycles - 1);
+  }
+  tick_next_ = done < cycles;
+  return done;
 }
 
 void CycleBlock::TrimStillGroups() {
@@ -433,8 +476,8 @@ bool CycleBlock::GroupIsStill(size_t first) const {
          same(a.reference, b.reference) && same(a.sum, b.sum) &&
          same(a.error_before, b.error_before) && same(a.feed, b.feed) && same(a.output, b.output) &&
          same(a.motor, b.motor) && same(a.motor_velocity, b.motor_velocity) &&
-         same(a.step, b.step) && same(a.source, b.source) && same(a.count, b.count) &&
-         same(a.count_velocity, b.count_velocity) &&
+         same(a.ramp, b.ramp) && same(a.step, b.step) && same(a.source, b.source) &&
+         same(a.count, b.count) && same(a.count_velocity, b.count_velocity) &&
          same(a.count_acceleration, b.count_acceleration) && same(a.measured, b.measured);
 }
 
@@ -458,6 +501,7 @@ void CycleBlock::ShowAll() {
     StoreEncoder(i);
     StoreDrive(i);
   }
+  if (state_.bus) StoreBus();
 }
 
 void CycleBlock::ShowEncoders() {
@@ -515,6 +559,24 @@ void CycleBlock::StoreDrive(size_t index) {
   control.error_before = values.error_before[lane];
   control.feed = values.feed[lane];
   state_.dacs[index].value = values.output[lane];
+}
+
+void CycleBlock::StoreBus() {
+  // A tick exchanges anew: only from where the drives are.
+  const LaneValues& begin = tick_next_ ? lanes_.current() : lanes_.other();
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (!readings_.OnBus(i)) continue;
+    Plant& plant = state_.plants[i];
+    BusAxis& link = state_.bus->axes[i];
+    bus::BusDrive& drive = BusDriveOf(i);
+    link.counts = Whole(plant.position - drive.origin());
+    link.raw = static_cast<int32_t>(link.counts);
+    const size_t lane = lane_of_[i];
+    plant.position = begin.motor[lane];
+    plant.velocity = begin.motor_velocity[lane];
+    drive.ContinueFrom(begin.ramp[lane]);
+  }
+  if (!tick_next_) BusAxes(state_, config_).Exchange();
 }
 
 }  // namespace oncard::motion

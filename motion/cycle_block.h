@@ -5,9 +5,13 @@
 // happens between them, and its state is in lanes from Load() to Leave(). It is not plain while
 // inputs settle, something is armed, homing, a gantry, a compensation or an input shaper works, or
 // an axis has a latched condition, a cause for one, a map to other profiles or encoders, or a
-// fault; a card with a bus never is. lane_uses.h says of every member of the state what lanes do
-// with it. What ends a block is known before (events, ends of pieces of plans) or found by the
-// kernel in the cycle in which it happens.
+// fault. A bus must be in OP, its drives reached, and each either follows what is planned or is
+// off. lane_uses.h says of every member of the state what lanes do with it. What ends a block is
+// known before (events, ends of pieces of plans) or found by the kernel in the cycle in which it
+// happens.
+//
+// Lanes hold where the motors of a bus are, not its process image and dictionaries. The state gets
+// these by the exchange of the last cycle, which is repeated from the positions before it.
 //
 // Lanes that plan all profiles stay loaded between the calls that advance a card. Who reads the
 // state has the values copied that it reads, who starts a profile has that one loaded again, and
@@ -107,6 +111,7 @@ class CycleBlock {
   /// nullopt: lanes cannot do what moves the motor.
   std::optional<LaneKind> KindOf(size_t axis) const;
   std::optional<LaneKind> ServoKind(size_t axis) const;
+  std::optional<LaneKind> BusKind(size_t axis) const;
   /// Cycles before the next event outside the card.
   int64_t CyclesBeforeEvent() const;
   /// Cycles in which the in-position condition of an axis does not change.
@@ -118,6 +123,7 @@ class CycleBlock {
   void LoadControl(size_t axis);
   void LoadDrive(size_t axis);
   void LoadEncoder(size_t axis);
+  void LoadBusDrive(size_t axis);
   void LoadSwitch(const PositionSwitch& contact);
   void LoadProfile(size_t axis);
   /// Puts the plan that the profile follows into its lane, or no plan if it follows none.
@@ -133,6 +139,8 @@ class CycleBlock {
   void StoreAxis(size_t axis);
   void StoreEncoder(size_t encoder);
   void StoreDrive(size_t axis);
+  /// Puts the drives where they were at the begin of the last cycle, and has them exchange.
+  void StoreBus();
   /// Leaves out groups of lanes that do not change any more; to be called after one cycle.
   void TrimStillGroups();
   bool GroupIsStill(size_t first) const;
@@ -142,6 +150,10 @@ class CycleBlock {
     return cycles < kNoEnd - state_.cycle ? state_.cycle + cycles : kNoEnd;
   }
 
+  /// The drive of an axis that is on the bus.
+  bus::BusDrive& BusDriveOf(size_t axis) const {
+    return *state_.bus->line.slave(static_cast<size_t>(state_.bus->axes[axis].slave)).drive;
+  }
   size_t axis_count() const { return static_cast<size_t>(config_.axis_count); }
   Micros now() const { return state_.cycle * config_.cycle_us; }
 
@@ -156,7 +168,8 @@ class CycleBlock {
   std::array<size_t, kLaneKindCount> ends_{};  // of the lanes of each kind, still ones included
   bool loaded_ = false;
   bool plans_ = true;
-  bool shown_ = true;  // the state of the card has all that the lanes hold
+  bool shown_ = true;       // the state of the card has all that the lanes hold
+  bool tick_next_ = false;  // the kernel has ended before its time, and a tick follows
   // Cycles of the card.
   int64_t loaded_at_ = 0;
   int64_t end_ = 0;                             // of what the lanes can do

@@ -36,14 +36,14 @@ template <>
 struct LaneUses<MotionState> {
   using Laned = Members<&MotionState::profiles, &MotionState::axes, &MotionState::encoders,
                         &MotionState::plants, &MotionState::steps, &MotionState::controls,
-                        &MotionState::dacs>;
+                        &MotionState::dacs, &MotionState::bus>;
   using Beside =
       Members<&MotionState::cycle, &MotionState::clock_cycle, &MotionState::io, &MotionState::crds>;
   using Rests = Members<&MotionState::compensations, &MotionState::compensates,
                         &MotionState::encoder_faults, &MotionState::adcs, &MotionState::world,
                         &MotionState::switches, &MotionState::capture, &MotionState::compare,
                         &MotionState::gantry, &MotionState::homing, &MotionState::homing_runs,
-                        &MotionState::reached, &MotionState::bus, &MotionState::shapers>;
+                        &MotionState::reached, &MotionState::shapers>;
   using Read = Members<&MotionState::pvt_tables, &MotionState::enable_axes, &MotionState::drives,
                        &MotionState::modules, &MotionState::index_marks, &MotionState::lasers>;
 };
@@ -132,6 +132,25 @@ struct LaneUses<Dac> {
   using Beside = Members<>;
   using Rests = Members<>;
   using Read = Members<&Dac::active, &Dac::reversed, &Dac::control, &Dac::bias, &Dac::limit>;
+};
+
+// BusAxes::OnlyMove() makes sure of what rests.
+template <>
+struct LaneUses<BusPart> {
+  using Laned = Members<&BusPart::line, &BusPart::axes>;
+  using Beside = Members<>;
+  using Rests = Members<>;
+  using Read = Members<>;
+};
+
+template <>
+struct LaneUses<BusAxis> {
+  using Laned = Members<&BusAxis::raw, &BusAxis::counts>;
+  using Beside = Members<>;
+  using Rests =
+      Members<&BusAxis::resets_fault, &BusAxis::homing, &BusAxis::alarm, &BusAxis::follows>;
+  using Read = Members<&BusAxis::slave, &BusAxis::enable, &BusAxis::homing_prepared,
+                       &BusAxis::homing_status, &BusAxis::scale, &BusAxis::lead>;
 };
 
 namespace internal {

@@ -544,7 +544,7 @@ void MotionCore::TerminateBus() {
   for (size_t i = 0; i < axis_count(); ++i) {
     if (OnBus(i)) ServoOff(i);
   }
-  state_.bus->line.Terminate();
+  state().bus->line.Terminate();
 }
 
 // --- Outside the card --------------------------------------------------------------------------

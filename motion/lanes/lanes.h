@@ -24,21 +24,26 @@ enum class LaneKind : uint8_t {
   kServo,       ///< a velocity drive, commanded by a servo controller
   kServoIdeal,  ///< an ideal drive, commanded by a servo controller
   kVoltage,     ///< a velocity drive at a constant voltage
-  kFollow       ///< an ideal drive that follows the planned position, or is off
+  kFollow,      ///< an ideal drive that follows the planned position, or is off
+  kBusIdeal,    ///< an ideal drive on a bus, or any that is off
+  kBusVelocity  ///< a velocity drive on a bus, commanded by the position loop of the drive
 };
-inline constexpr size_t kLaneKindCount = 4;
+inline constexpr size_t kLaneKindCount = 6;
 
 /// Lanes that a vector instruction of any supported set processes together.
 inline constexpr size_t kLaneGroup = 4;
-/// Every axis, and unused lanes that complete the last group of each kind.
-inline constexpr size_t kLaneMax = kAxisMax + kLaneKindCount * (kLaneGroup - 1);
-static_assert(kLaneMax % kLaneGroup == 0);
+/// Every axis, and unused lanes that complete the last group of each kind: whole groups.
+inline constexpr size_t kLaneMax =
+    (kAxisMax + kLaneKindCount * (kLaneGroup - 1)) / kLaneGroup * kLaneGroup;
 
 /// Most pieces of a plan before the one that applies.
 inline constexpr size_t kLanePieceMax = 4;
 
 /// Lanes count sources below this, pulses: they fit an int32_t.
 inline constexpr double kLaneWholeMax = 2147483647;
+/// Positions of drives on a bus are at most this far from 0, counts: the difference of two fits an
+/// int32_t, and none wraps.
+inline constexpr double kLaneCountMax = 1073741823;
 
 /// One value of each lane.
 using Lane = std::array<double, kLaneMax>;
@@ -87,16 +92,24 @@ struct LaneConstants {
   alignas(32) Lane decay{};
   alignas(32) Lane lag{};
   alignas(32) Lane lead{};
-  alignas(32) LaneMask follows{};  ///< kFollow: the drive is on
+  alignas(32) LaneMask follows{};  ///< kFollow, kBus...: the drive is on
   alignas(32) Lane motor_low{};    ///< the motor operates no switch between these
   alignas(32) Lane motor_high{};
   alignas(32) LaneMask stepping{};
   alignas(32) Lane step_lead{};
 
+  // Drive on a bus, in counts. It uses output_limit and lead, too.
+  alignas(32) Lane origin{};  ///< the motor's position that it counts as 0
+  alignas(32) Lane counts_per_pulse{};
+  alignas(32) Lane target_low{};  ///< it reaches the targets between these
+  alignas(32) Lane target_high{};
+  alignas(32) Lane loop_gain{};
+  alignas(32) Lane error_window{};
+
   // Encoder.
   alignas(32) LaneMask external{};
   alignas(32) LaneMask counting{};
-  alignas(32) Lane direction{};  ///< 1 or -1; 0: it counts pulses
+  alignas(32) Lane direction{};  ///< 1 or -1; 0: it counts pulses; kBus...: pulses per count
   alignas(32) Lane slip{};
   alignas(32) Lane encoder_offset{};
 
@@ -109,6 +122,7 @@ struct LaneConstants {
   double cycle_ms = 0;
   double per_cycle_ms = 0;  ///< the reciprocal if it is exact, or 0
   double servo_ms = 0;
+  double per_servo_ms = 0;  ///< as above
   int32_t sub_steps = 0;
   double per_sub_steps = 0;  ///< as above
   double integral_unit = 0;  ///< what an integral gain counts
@@ -132,6 +146,7 @@ struct LaneValues {
   alignas(32) Lane output{};
   alignas(32) Lane motor{};
   alignas(32) Lane motor_velocity{};
+  alignas(32) Lane ramp{};  ///< kBus...: the drive's set-point, a position of the motor
   alignas(32) Lane step{};
   alignas(32) Lane source{};
   alignas(32) Lane count{};  ///< the encoder's position
@@ -149,9 +164,9 @@ struct LaneStates {
   LaneValues& other() { return values[1 - now]; }
 };
 
-/// Advances the lanes by at most `cycles` and returns by how many. If these are fewer, an axis
-/// would do something else in the cycle after them; states.current() is the state before that
-/// cycle.
+/// Advances the lanes by at most `cycles` and returns by how many; states.other() is then the state
+/// one cycle earlier. If these are fewer, an axis would do something else in the cycle after them:
+/// states.current() is the state before that cycle, and states.other() is of no use.
 using LaneKernel = int64_t (*)(const LaneConstants& constants, LaneStates& states, int64_t cycles);
 
 struct NamedLaneKernel {

@@ -63,7 +63,7 @@ TEST(CycleBlock, AdvancesRandomCardsAsTicksDo) {
 }
 
 TEST(CycleBlock, AdvancesRandomCardsWithABusAsTicksDo) {
-  AdvanceAsTicksDo({RandomBusCard, RandomBusCommand, 3, 0}, 60, 3000);
+  AdvanceAsTicksDo({RandomBusCard, RandomBusCommand, 3, 0.2}, 60, 3000);
 }
 
 TEST(CycleBlock, EveryKernelComputesTheSameBits) {
@@ -125,6 +125,75 @@ TEST(CycleBlock, FindsTheCycleOfTheInPositionCondition) {
     twins.ExpectEqual();
   }
   for (size_t i = 0; i < 12; ++i) EXPECT_TRUE(twins.lanes().state().axes[i].in_position) << i;
+}
+
+/// The same tests of cards with a bus, with ideal and with velocity drives.
+class BusCycleBlock : public testing::TestWithParam<DriveKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Drives, BusCycleBlock,
+                         testing::Values(DriveKind::kIdeal, DriveKind::kVelocity));
+
+TEST_P(BusCycleBlock, EveryKernelComputesTheSameBits) {
+  for (const NamedLaneKernel& kernel : LaneKernels()) {
+    SCOPED_TRACE(kernel.name);
+    Twins twins(JoggingBusCard(GetParam()), JoggingBusCard(GetParam()));
+    CycleCounter counter;
+    counter.Count(twins.lanes(), kernel.run);
+    twins.Advance(20'000);
+    twins.ExpectEqual();
+    EXPECT_GT(twins.lanes().state().encoders[11].position, 100'000);
+    EXPECT_GT(counter.cycles(), 19'900);
+  }
+}
+
+TEST_P(BusCycleBlock, StopsInTheCycleOfAnEdgeOfAProbe) {
+  // Before, at and after the end of a cycle, and inside the first one of a block.
+  for (const Micros at : {299'999, 300'000, 300'001, 300'124, 425'001}) {
+    SCOPED_TRACE(at);
+    const WorldEvents events = {{at, WorldEventKind::kBusProbe, 3, 0, 1}};
+    const auto card = [&] {
+      auto core = JoggingBusCard(GetParam());
+      core->PowerOn(std::make_shared<const WorldEvents>(events));
+      core->state().bus->line.SetOutput(3, bus::ObjectId::kProbeFunction, 0x11);
+      return core;
+    };
+    Twins twins(card(), card());
+    for (const int64_t block : {200, 400, 800}) {
+      twins.Advance(block);
+      twins.ExpectEqual();
+    }
+    const MotionCore& lanes = twins.lanes();
+    const bus::ObjectValues& values = lanes.state().bus->line.slave(3).drive->values();
+    EXPECT_NE(values[bus::ObjectId::kProbe1Rising], 0);
+  }
+}
+
+TEST_P(BusCycleBlock, StopsAtASoftwareLimitOfTheDrive) {
+  Twins twins(JoggingBusCard(GetParam()), JoggingBusCard(GetParam()));
+  twins.Both([](MotionCore& core) {
+    bus::ObjectValues& values = core.state().bus->line.slave(4).drive->values();
+    values.Set(bus::ObjectId::kSoftLimitMin, -9000);
+    values.Set(bus::ObjectId::kSoftLimitMax, 9000);
+  });
+  twins.Advance(20'000);
+  twins.ExpectEqual();
+  EXPECT_NEAR(twins.lanes().state().plants[4].position, 9000, 1e-6);
+}
+
+TEST(CycleBlock, StopsWhenTheErrorWindowOfADriveIsLeft) {
+  Twins twins(JoggingBusCard(DriveKind::kVelocity), JoggingBusCard(DriveKind::kVelocity));
+  // The drive has the lag's error while the velocity changes: 2 ms behind 200 pulse/ms at the most.
+  twins.Both([](MotionCore& core) {
+    bus::ObjectValues& values = core.state().bus->line.slave(5).drive->values();
+    values.Set(bus::ObjectId::kErrorWindow, 25);
+    core.state().profiles[5].jog.velocity = 200;
+    core.state().profiles[5].jog.parameters = {.acc = 0.5, .dec = 0.5};
+    core.StartProfile(5);
+  });
+  twins.Advance(4000);
+  twins.ExpectEqual();
+  EXPECT_EQ(twins.lanes().state().bus->line.slave(5).drive->state(), bus::DriveState::kFault);
+  EXPECT_NE(twins.lanes().state().axes[5].latched & kAlarmBit, 0u);
 }
 
 TEST(CycleBlock, AQuietCardOnlyCountsCycles) {
