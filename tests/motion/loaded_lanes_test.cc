@@ -2,14 +2,18 @@
 // of random short ways, reads, starts and commands is what one advanced by ticks shows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 
 #include "motion/cycle_block.h"
 #include "motion/motion_core.h"
 #include "tests/motion/cycle_counter.h"
+#include "tests/motion/random_bus.h"
 #include "tests/motion/random_world.h"
 #include "tests/motion/twins.h"
 
@@ -33,6 +37,17 @@ void ExpectSameValue(const AxisValue& a, const AxisValue& b) {
   ExpectSameBits(a.acceleration, b.acceleration);
 }
 
+void ExpectSameBus(const MotionCore& ticks, const MotionCore& lanes) {
+  if (!ticks.state().bus) return;
+  const bus::Bus& a = ticks.state().bus->line;
+  const bus::Bus& b = lanes.state().bus->line;
+  EXPECT_TRUE(std::ranges::equal(a.image().bytes(), b.image().bytes()));
+  for (size_t i = 0; i < a.slave_count(); ++i) {
+    if (!a.slave(i).drive) continue;
+    EXPECT_EQ(a.slave(i).drive->values().Fields(), b.slave(i).drive->values().Fields()) << i;
+  }
+}
+
 /// Reads something of an axis as a command would.
 void ExpectSameRead(const MotionCore& ticks, const MotionCore& lanes, size_t axis, int what) {
   switch (what) {
@@ -51,6 +66,8 @@ void ExpectSameRead(const MotionCore& ticks, const MotionCore& lanes, size_t axi
       EXPECT_EQ(ticks.FollowingErrorExceeded(axis), lanes.FollowingErrorExceeded(axis));
       return ExpectSameBits(ticks.state().plants[axis].velocity,
                             lanes.state().plants[axis].velocity);
+    case 5:
+      return ExpectSameBus(ticks, lanes);
     default:
       return;
   }
@@ -79,23 +96,32 @@ struct Habit {
   int reads;        ///< at most
   int one_start_in;
   int one_command_in;
-  int64_t least_in_lanes;  ///< of 36 000 cycles: many cards have something that lanes cannot do
 };
 
 constexpr Habit kHabits[] = {
-    {"single cycles", 1, 0, 40, 200, 5000},     {"reads in every cycle", 1, 3, 40, 200, 5000},
-    {"short ways", 20, 2, 20, 30, 10'000},      {"starts in every cycle", 2, 1, 1, 100, 4000},
-    {"commands all the time", 6, 1, 4, 2, 200},
+    {"single cycles", 1, 0, 40, 200},      {"reads in every cycle", 1, 3, 40, 200},
+    {"short ways", 20, 2, 20, 30},         {"starts in every cycle", 2, 1, 1, 100},
+    {"commands all the time", 6, 1, 4, 2},
+};
+constexpr size_t kHabitCount = std::size(kHabits);
+
+/// Random cards, and what hosts do to them.
+struct Cards {
+  std::unique_ptr<MotionCore> (*card)(uint64_t seed);
+  void (*command)(MotionCore& core, RandomNumbers& random);
+  /// Of 36 000 cycles with each habit: many cards have something that lanes cannot do.
+  std::array<int64_t, kHabitCount> least_in_lanes;
 };
 
-TEST(LoadedLanes, ShowWhatTicksShow) {
+void ShowWhatTicksShow(const Cards& cards) {
   const int worlds = Setting("ONCARD_WORLDS", 12);
-  for (const Habit& habit : kHabits) {
+  for (size_t number = 0; number < kHabitCount; ++number) {
+    const Habit& habit = kHabits[number];
     CycleCounter counter;
     for (int world = 1; world <= worlds && !testing::Test::HasFailure(); ++world) {
       SCOPED_TRACE(std::string(habit.name) + ", world " + std::to_string(world));
       const auto seed = static_cast<uint64_t>(world);
-      Twins twins(seed);
+      Twins twins(cards.card(seed), cards.card(seed));
       counter.Count(twins.lanes());
       RandomNumbers random(seed * 77);
       for (int64_t cycle = 0; cycle < 3000 && !testing::Test::HasFailure();) {
@@ -105,7 +131,7 @@ TEST(LoadedLanes, ShowWhatTicksShow) {
         const size_t axis_count = twins.ticks().axis_count();
         for (int i = random.Below(habit.reads + 1); i > 0; --i) {
           const auto axis = static_cast<size_t>(random.Below(static_cast<int>(axis_count)));
-          ExpectSameRead(twins.ticks(), twins.lanes(), axis, random.Below(5));
+          ExpectSameRead(twins.ticks(), twins.lanes(), axis, random.Below(6));
         }
         const auto axis = static_cast<size_t>(random.Below(static_cast<int>(axis_count)));
         const uint64_t choices = random.Next();
@@ -118,15 +144,23 @@ TEST(LoadedLanes, ShowWhatTicksShow) {
         if (random.OneIn(habit.one_command_in)) {
           twins.Both([&](MotionCore& core) {
             RandomNumbers same(choices);
-            RandomCommand(core, same);
+            cards.command(core, same);
           });
         }
         if (random.OneIn(8)) twins.ExpectEqual();
       }
       twins.ExpectEqual();
     }
-    EXPECT_GT(counter.cycles(), habit.least_in_lanes) << habit.name;
+    EXPECT_GT(counter.cycles(), cards.least_in_lanes[number]) << habit.name;
   }
+}
+
+TEST(LoadedLanes, ShowWhatTicksShow) {
+  ShowWhatTicksShow({RandomCard, RandomCommand, {5000, 5000, 10'000, 4000, 200}});
+}
+
+TEST(LoadedLanes, ShowWhatTicksShowOfABus) {
+  ShowWhatTicksShow({RandomBusCard, RandomBusCommand, {2500, 2000, 6000, 4000, 100}});
 }
 
 /// What changes a card without asking for its state.
@@ -198,13 +232,61 @@ TEST(LoadedLanes, MakeRoomForWhateverChangesTheCard) {
   }
 }
 
+constexpr Change kBusChanges[] = {
+    {"TerminateBus", [](MotionCore& core) { core.TerminateBus(); }},
+    {"ServoOff", [](MotionCore& core) { core.ServoOff(1); }},
+    {"ClearStatus", [](MotionCore& core) { core.ClearStatus(1); }},
+    {"Reset", [](MotionCore& core) { core.Reset(); }},
+    {"SetMode",
+     [](MotionCore& core) { core.bus_axes().SetMode(1, bus::DriveMode::kCyclicVelocity); }},
+    {"SetScale", [](MotionCore& core) { core.bus_axes().SetScale(1, 2); }},
+    {"SetEncoderPosition", [](MotionCore& core) { core.SetEncoderPosition(1, 7); }},
+    {"PlaceMotor", [](MotionCore& core) { core.PlaceMotor(1, 7); }},
+    {"StopProfile", [](MotionCore& core) { core.StopProfile(1, true); }},
+    {"StartProfile",
+     [](MotionCore& core) {
+       core.SetVelocity(1, -5);
+       core.StartProfile(1);
+     }},
+};
+
+TEST(LoadedLanes, MakeRoomForWhateverChangesABus) {
+  for (const Change& change : kBusChanges) {
+    SCOPED_TRACE(change.name);
+    Twins twins(JoggingBusCard(DriveKind::kVelocity), JoggingBusCard(DriveKind::kVelocity));
+    twins.Advance(301);
+    twins.Both(change.change);
+    twins.ExpectEqual();
+    twins.Advance(50);
+    twins.ExpectEqual();
+  }
+}
+
+TEST(LoadedLanes, MakeRoomForTheEndOfABusWithoutDrives) {
+  const auto card = [] {
+    auto core = ServoCard();
+    const auto slaves =
+        std::make_shared<const bus::Slaves>(bus::Slaves{bus::DefaultSlave(bus::SlaveKind::kIo)});
+    core->ConnectBus(slaves, slaves);
+    core->PowerOn(std::make_shared<const WorldEvents>(
+        WorldEvents{{1'000'000, WorldEventKind::kBusTerminal, 0, 0, 5}}));
+    BringUp(*core, true);
+    return core;
+  };
+  Twins twins(card(), card());
+  twins.Advance(4000);
+  twins.Both([](MotionCore& core) { core.TerminateBus(); });
+  twins.ExpectEqual();
+  twins.Advance(50);
+  twins.ExpectEqual();
+}
+
 // --- What keeps a card in lanes ----------------------------------------------------------------
 
 /// Lets a card with twelve jogging axes pass 1000 single cycles, with something after each; returns
 /// the number of those in lanes.
 template <typename After>
-int64_t CyclesInLanes(After after) {
-  const auto core = ServoCard();
+int64_t CyclesInLanes(After after, std::unique_ptr<MotionCore> core = ServoCard()) {
   CycleCounter counter;
   counter.Count(*core);
   for (int i = 0; i < 1000; ++i) {
@@ -230,6 +312,17 @@ TEST(LoadedLanes, StayLoadedWhileTheStateIsRead) {
               EXPECT_NE(core.Conditions(axis) & kMovingBit, 0u);
             }),
             kMostCycles);
+}
+
+TEST(LoadedLanes, StayLoadedWhileTheStateOfABusIsRead) {
+  const auto after = [](const MotionCore& core, int cycle) {
+    const size_t axis = static_cast<size_t>(cycle) % core.axis_count();
+    EXPECT_NE(core.encoder(axis).position, 0);
+    EXPECT_TRUE(core.state().bus->line.Input(axis, bus::ObjectId::kPositionActual));
+  };
+  for (const DriveKind kind : {DriveKind::kIdeal, DriveKind::kVelocity}) {
+    EXPECT_GE(CyclesInLanes(after, JoggingBusCard(kind)), kMostCycles);
+  }
 }
 
 TEST(LoadedLanes, StayLoadedWhenAProfileIsStarted) {
