@@ -120,7 +120,7 @@ void BusAxes::SendOutputs(size_t axis) {
   if (own.follows) target = Whole((readings_.CommandedPosition(axis) + own.lead) * own.unit());
   // Positions of 32 bits wrap.
   const auto counts = static_cast<uint32_t>(static_cast<int64_t>(target));
-  if (ModeOf(axis) == DriveMode::kCyclicPosition) {
+  if (readings_.BusMode(axis) == DriveMode::kCyclicPosition) {
     line.SendOutput(SlaveOf(axis), ObjectId::kTargetPosition, static_cast<int32_t>(counts));
   }
 }
@@ -213,7 +213,7 @@ uint32_t BusAxes::Follow() {
     if (axis.servo_on && !enabled) stops |= uint32_t{1} << i;
     axis.servo_on = enabled;
     JudgeHoming(own, status);
-    const bool follows = enabled && ModeOf(i) == DriveMode::kCyclicPosition;
+    const bool follows = enabled && readings_.BusMode(i) == DriveMode::kCyclicPosition;
     if (follows && !own.follows) Align(i);
     own.follows = follows;
   }
@@ -267,7 +267,6 @@ bool BusAxes::OnlyMoves(size_t axis) const {
   const bool enabled = state == DriveState::kOperationEnabled && own.enable;
   if (state != drive.state() || own.alarm != (state == DriveState::kFault)) return false;
   if (state_.axes[axis].servo_on != enabled || own.follows != enabled) return false;
-  if (ModeOf(axis) != drive.mode()) return false;
   return own.counts == Whole(state_.plants[axis].position - drive.origin());
 }
 
@@ -290,12 +289,6 @@ void BusAxes::SetMode(size_t axis, DriveMode mode) {
   const auto number = static_cast<int64_t>(mode);
   if (line.SetOutput(SlaveOf(axis), ObjectId::kMode, number)) return;
   line.slave(SlaveOf(axis)).drive->values().Set(ObjectId::kMode, number);
-}
-
-DriveMode BusAxes::ModeOf(size_t axis) const {
-  const bus::Bus& line = state_.bus->line;
-  const std::optional<int64_t> shown = line.Input(SlaveOf(axis), ObjectId::kModeDisplay);
-  return shown ? static_cast<DriveMode>(*shown) : line.slave(SlaveOf(axis)).drive->mode();
 }
 
 DriveMode BusAxes::CommandedMode(size_t axis) const {

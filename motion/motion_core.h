@@ -253,6 +253,10 @@ class MotionCore {
   BusAxes bus_axes() { return {state(), config_}; }
   /// True if the axis has a drive on a bus.
   bool OnBus(size_t axis) const { return unlaned().OnBus(axis); }
+  /// True if the controller commands the drives of a card with a bus (GT_StartEcatComm).
+  bool BusStarted() const { return state_.bus->line.started(); }
+  /// The mode of operation of the drive of an axis on the bus, as the drive reports it.
+  bus::DriveMode BusMode(size_t axis) const { return unlaned().BusMode(axis); }
   /// GT_TerminateEcatComm: its axes stop abruptly, and their drives are switched off.
   void TerminateBus();
 

@@ -81,6 +81,13 @@ bool Readings::BusAlarm(const Axis& axis) const {
   return OnBus(index) && state_.bus->axes[index].alarm;
 }
 
+bus::DriveMode Readings::BusMode(size_t axis) const {
+  const bus::Bus& line = state_.bus->line;
+  const auto number = static_cast<size_t>(state_.bus->axes[axis].slave);
+  const std::optional<int64_t> shown = line.Input(number, bus::ObjectId::kModeDisplay);
+  return shown ? static_cast<bus::DriveMode>(*shown) : line.slave(number).drive->mode();
+}
+
 uint32_t Readings::ActiveCauses(const Axis& axis) const {
   uint32_t causes = 0;
   if (axis.alarm_on && (InputActive(axis.alarm) || BusAlarm(axis))) causes |= kAlarmBit;

@@ -98,6 +98,9 @@ class Readings {
   bool InClosedLoop(size_t axis) const;
   /// True if the axis has a drive on a bus.
   bool OnBus(size_t axis) const { return state_.bus && state_.bus->axes[axis].on_bus(); }
+  /// The mode of operation that the drive of a bus axis reports, or has if its process data do not
+  /// contain 6061h.
+  bus::DriveMode BusMode(size_t axis) const;
   /// False while the drive of a bus axis moves by itself.
   bool FollowsPlan(size_t axis) const { return !OnBus(axis) || state_.bus->axes[axis].follows; }
   bool IsGantrySlave(size_t axis) const { return state_.gantry.on && state_.gantry.slave == axis; }

@@ -262,25 +262,6 @@ TEST(LoadedLanes, MakeRoomForWhateverChangesABus) {
   }
 }
 
-TEST(LoadedLanes, MakeRoomForTheEndOfABusWithoutDrives) {
-  const auto card = [] {
-    auto core = ServoCard();
-    const auto slaves =
-        std::make_shared<const bus::Slaves>(bus::Slaves{bus::DefaultSlave(bus::SlaveKind::kIo)});
-    core->ConnectBus(slaves, slaves);
-    core->PowerOn(std::make_shared<const WorldEvents>(
-        WorldEvents{{1'000'000, WorldEventKind::kBusTerminal, 0, 0, 5}}));
-    BringUp(*core, true);
-    return core;
-  };
-  Twins twins(card(), card());
-  twins.Advance(4000);
-  twins.Both([](MotionCore& core) { core.TerminateBus(); });
-  twins.ExpectEqual();
-  twins.Advance(50);
-  twins.ExpectEqual();
-}
-
 // --- What keeps a card in lanes ----------------------------------------------------------------
 
 /// Lets a card with twelve jogging axes pass 1000 single cycles, with something after each; returns
@@ -319,6 +300,8 @@ TEST(LoadedLanes, StayLoadedWhileTheStateOfABusIsRead) {
     const size_t axis = static_cast<size_t>(cycle) % core.axis_count();
     EXPECT_NE(core.encoder(axis).position, 0);
     EXPECT_TRUE(core.state().bus->line.Input(axis, bus::ObjectId::kPositionActual));
+    EXPECT_TRUE(core.BusStarted());
+    EXPECT_EQ(core.BusMode(axis), bus::DriveMode::kCyclicPosition);
   };
   for (const DriveKind kind : {DriveKind::kIdeal, DriveKind::kVelocity}) {
     EXPECT_GE(CyclesInLanes(after, JoggingBusCard(kind)), kMostCycles);
@@ -330,6 +313,14 @@ TEST(LoadedLanes, StayLoadedWhenAProfileIsStarted) {
               core.StartProfile(static_cast<size_t>(cycle) % core.axis_count());
             }),
             kMostCycles);
+}
+
+TEST(LoadedLanes, StayLoadedWhenAnAxisOfABusIsStarted) {
+  const auto after = [](MotionCore& core, int cycle) {
+    const size_t axis = static_cast<size_t>(cycle) % core.axis_count();
+    if (core.BusMode(axis) == bus::DriveMode::kCyclicPosition) core.StartProfile(axis);
+  };
+  EXPECT_GE(CyclesInLanes(after, JoggingBusCard(DriveKind::kVelocity)), kMostCycles);
 }
 
 TEST(LoadedLanes, AreNotLoadedAgainAfterEachOfManyChanges) {

@@ -57,7 +57,7 @@ int16_t CheckBusAxis(Call& call) {
 
 int16_t CheckBusStarted(Call& call, size_t axis) {
   const motion::MotionCore& core = call.card.motion;
-  if (!core.OnBus(axis) || core.state().bus->line.started()) return vm::kOk;
+  if (!core.OnBus(axis) || core.BusStarted()) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("axis {0} is on the bus, which has not been started: call "
                                  "GT_StartEcatComm when GT_IsEcatReady reads 1",
@@ -69,7 +69,7 @@ int16_t CheckBusStarted(Call& call, size_t axis) {
 int16_t CheckBusObeys(Call& call, size_t axis) {
   const int16_t code = CheckBusStarted(call, axis);
   if (code != vm::kOk || !call.card.motion.OnBus(axis)) return code;
-  const auto mode = call.card.motion.bus_axes().ModeOf(axis);
+  const auto mode = call.card.motion.BusMode(axis);
   if (mode == motion::bus::DriveMode::kCyclicPosition) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("the drive of axis {0} is in mode {1}; planned motion needs mode "
