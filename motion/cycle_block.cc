@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "motion/bus_axes.h"
-#include "motion/common/rounding.h"
 #include "motion/lane_uses.h"
 
 namespace oncard::motion {
@@ -567,14 +566,10 @@ void CycleBlock::StoreBus() {
   for (size_t i = 0; i < axis_count(); ++i) {
     if (!readings_.OnBus(i)) continue;
     Plant& plant = state_.plants[i];
-    BusAxis& link = state_.bus->axes[i];
-    bus::BusDrive& drive = BusDriveOf(i);
-    link.counts = Whole(plant.position - drive.origin());
-    link.raw = static_cast<int32_t>(link.counts);
     const size_t lane = lane_of_[i];
     plant.position = begin.motor[lane];
     plant.velocity = begin.motor_velocity[lane];
-    drive.ContinueFrom(begin.ramp[lane]);
+    BusDriveOf(i).ContinueFrom(begin.ramp[lane]);
   }
   if (!tick_next_) BusAxes(state_, config_).Exchange();
 }

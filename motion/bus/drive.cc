@@ -120,7 +120,7 @@ bool BusDrive::OnlyMoves(const DriveWorld& world) const {
   const int64_t wanted = values_[ObjectId::kMode];
   if (IsSupportedMode(wanted) && static_cast<DriveMode>(wanted) != mode_) return false;
   const auto control = static_cast<uint16_t>(values_[ObjectId::kControlWord]);
-  if (control != control_before_ || NextState(state_, control, control) != state_) return false;
+  if (NextState(state_, control, control_before_) != state_) return false;
   if (homing_.phase != HomingPhase::kIdle || !TouchProbes::HasTakenFunction(values_)) return false;
   if (OperatedAt(world) != operated_) return false;
   const Plant& motor = world.motor;

@@ -96,8 +96,8 @@ inline void BringUp(MotionCore& core, bool starts) {
   for (int i = 0; i < 8; ++i) core.Tick();
 }
 
-/// Twelve axes with drives on a bus that have jogged for a while.
-inline std::unique_ptr<MotionCore> JoggingBusCard(DriveKind kind) {
+/// Twelve axes with drives on a bus that have jogged for a while, until 277 ms after power-on.
+inline std::unique_ptr<MotionCore> JoggingBusCard(DriveKind kind, WorldEvents events = {}) {
   auto core = std::make_unique<MotionCore>(MotionConfig{.axis_count = 12});
   bus::Slaves slaves;
   for (int i = 0; i < 12; ++i) slaves.push_back(bus::FullDrive(i));
@@ -106,7 +106,7 @@ inline std::unique_ptr<MotionCore> JoggingBusCard(DriveKind kind) {
   for (size_t i = 0; i < core->axis_count() && kind == DriveKind::kVelocity; ++i) {
     core->state().drives[i] = VelocityDrive(100, 2, 0, core->config().ServoMs());
   }
-  core->PowerOn(nullptr);
+  core->PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
   BringUp(*core, true);
   for (size_t i = 0; i < core->axis_count(); ++i) {
     Profile& profile = core->state().profiles[i];
