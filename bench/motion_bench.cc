@@ -141,17 +141,14 @@ void MeasureShortWays() {
   if (sum <= 0) Fail("the axes did not move");
 }
 
-// 12 drives on an EtherCAT bus follow jogging axes: state machines, exchange of the process image
-// and motors, cycle by cycle.
-void MeasureBus() {
-  constexpr int64_t kTicks = 200'000;
-  motion::MotionConfig config;
-  config.axis_count = 12;
-  motion::MotionCore core(config);
+// 12 drives on an EtherCAT bus follow jogging axes.
+void BeginBus(motion::MotionCore& core, motion::DriveKind kind) {
   motion::bus::Slaves drives;
   for (size_t i = 0; i < core.axis_count(); ++i) {
     drives.push_back(motion::bus::DefaultSlave(motion::bus::SlaveKind::kDrive));
     drives.back().axis = static_cast<int8_t>(i);
+    if (kind == motion::DriveKind::kIdeal) continue;
+    core.state().drives[i] = motion::VelocityDrive(100, 2, 0, core.config().ServoMs());
   }
   const auto slaves = std::make_shared<const motion::bus::Slaves>(std::move(drives));
   core.ConnectBus(slaves, slaves);
@@ -167,11 +164,43 @@ void MeasureBus() {
   }
   for (int i = 0; i < 8; ++i) core.Tick();
   for (size_t i = 0; i < core.axis_count(); ++i) core.StartProfile(i);
-  const double seconds = MeasureCpu([&] {
+}
+
+// As lanes, a millisecond at a time as between the calls of a host, and cycle by cycle without
+// lanes. All end in the same state.
+void MeasureBus(motion::DriveKind kind, const std::string& what) {
+  constexpr int64_t kTicks = 200'000;
+  constexpr int64_t kMs = 4;
+  motion::MotionConfig config;
+  config.axis_count = 12;
+  uint64_t end = 0;
+  const auto measure = [&](const char* way, const auto& advance) {
+    motion::MotionCore core(config);
+    BeginBus(core, kind);
+    const double seconds = MeasureCpu([&] { advance(core); });
+    if (core.encoder(core.axis_count() - 1).position < 1e5) Fail("the drives did not follow");
+    if (end == 0) end = core.Hash();
+    if (core.Hash() != end) Fail("lanes and single cycles end in different states");
+    PrintTicks((what + way).c_str(), config, kTicks, seconds);
+  };
+  double sum = 0;
+  measure(", ticks", [](motion::MotionCore& core) {
     for (int64_t i = 0; i < kTicks; ++i) core.Tick();
   });
-  if (core.state().plants[core.axis_count() - 1].position < 1e5) Fail("the drives did not follow");
-  PrintTicks("12 axes, Jog over the EtherCAT bus, 250 us", config, kTicks, seconds);
+  measure("", [](motion::MotionCore& core) { core.Advance(kTicks); });
+  measure(", a position each ms", [&](motion::MotionCore& core) {
+    for (int64_t i = 0; i < kTicks; i += kMs) {
+      core.Advance(kMs);
+      sum += core.encoder(0).position;
+    }
+  });
+  measure(", the state each ms", [&](motion::MotionCore& core) {
+    for (int64_t i = 0; i < kTicks; i += kMs) {
+      core.Advance(kMs);
+      sum += std::as_const(core).state().plants[0].position;
+    }
+  });
+  if (sum <= 0) Fail("the axes did not move");
 }
 
 // A path of a million short lines with a look-ahead of 200, filled whenever the FIFO has space. The
@@ -311,7 +340,8 @@ void BenchMotion() {
   MeasureTrap();
   MeasureServo();
   MeasureShortWays();
-  MeasureBus();
+  MeasureBus(motion::DriveKind::kIdeal, "12 axes, bus");
+  MeasureBus(motion::DriveKind::kVelocity, "12 axes, bus, velocity drives");
   MeasurePath();
   MeasureRelief();
   MeasureCalls();
