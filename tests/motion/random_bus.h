@@ -86,7 +86,7 @@ inline void AppendBusEvents(const bus::Slaves& slaves, WorldEvents& events, Rand
   std::ranges::stable_sort(events, {}, &WorldEvent::at);
 }
 
-/// Communication in OP and, for most cards, started with the drives of all axes enabled.
+/// Brings communication to OP; if it starts, the drives of all axes are enabled.
 inline void BringUp(MotionCore& core, bool starts) {
   core.state().bus->line.Init(core.now());
   for (Micros end = core.now() + 5 * bus::kBusStepUs; core.now() < end;) core.Tick();
