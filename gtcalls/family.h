@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,6 +57,9 @@ struct AdvisedCommands {
   std::string_view axis_look_ahead = {};  ///< the one that knows limits of each axis
 };
 
+/// Family::cycles_before_act of a card on which its family has nothing to do.
+inline constexpr int64_t kNeverActs = std::numeric_limits<int64_t>::max();
+
 /// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
   /// As in the names of its header and library: `gts`.
@@ -105,9 +109,10 @@ struct Family {
   void (*after_tick)(Card& card);
   /// Runs before the threads' statements of each cycle, after their delays have ended.
   void (*before_threads)(Card& card);
-  /// True if the two above have work in every cycle. Otherwise after_tick has only work after a
-  /// tick in which a path reached commands for the owner of the core.
-  bool (*acts_each_cycle)(const CardView& card);
+  /// How many cycles can pass before one in which the two above have work: 0 if they have it in
+  /// the next one, kNeverActs. Before, after_tick has only work after a tick in which a path
+  /// reached commands for the owner of the core.
+  int64_t (*cycles_before_act)(const CardView& card);
   /// True if variables of the program can still be written by something other than threads and the
   /// host.
   bool (*writes_variables)(const CardView& card);

@@ -412,7 +412,8 @@ void CardModel::NoteHorizon() {
 int64_t CardModel::BeginCycle() {
   const gtcalls::Family& family = controller_->family();
   const gtcalls::CardView view = controller_->view();
-  if (family.acts_each_cycle(view) || family.writes_variables(view)) held_ = nullptr;
+  const bool acts = family.cycles_before_act(view) != gtcalls::kNeverActs;
+  if (acts || family.writes_variables(view)) held_ = nullptr;
   ++cycles_since_held_;
   return controller_->BeginCycle();
 }

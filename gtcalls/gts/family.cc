@@ -140,10 +140,12 @@ const Family& GtsFamily() {
       .after_tick = AfterTick,
       .before_threads =
           [](Card& card) { card.state<GtsState>().plc.Evaluate(card.machine, card.motion); },
-      .acts_each_cycle =
+      .cycles_before_act =
           [](const CardView& card) {
             const GtsState& state = card.state<GtsState>();
-            return state.mram.busy() || !state.plc.blocks.empty();
+            if (!state.plc.blocks.empty()) return int64_t{0};
+            if (!state.mram.busy()) return kNeverActs;
+            return state.mram.CyclesBeforeEnd(card.motion.now(), card.motion.config().cycle_us);
           },
       .writes_variables =
           [](const CardView& card) {

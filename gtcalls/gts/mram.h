@@ -37,6 +37,10 @@ class Mram {
   void Advance(motion::Micros now) {
     if (busy_ && now >= end_) Finish();
   }
+  /// How many cycles pass before the one that completes it; for a transfer that runs.
+  int64_t CyclesBeforeEnd(motion::Micros now, motion::Micros cycle_us) const {
+    return end_ <= now ? 0 : (end_ - now - 1) / cycle_us;
+  }
   void Reset();
 
   auto Fields() const { return std::tie(buffer_, memory_, busy_, access_, address_, count_, end_); }

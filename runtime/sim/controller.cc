@@ -161,12 +161,13 @@ void Controller::RunCycles(int64_t cycles) {
 }
 
 int64_t Controller::RunSome(int64_t limit) {
-  if (state_observer_ || cycle_host_ || family().acts_each_cycle(view())) {
+  const int64_t before_act = family().cycles_before_act(view()) - motion_late_;
+  if (state_observer_ || cycle_host_ || before_act <= 0) {
     CatchUp();
     RunCycle();
     return 1;
   }
-  if (const int64_t idle = std::min(limit, IdleCycles()); idle > 0) {
+  if (const int64_t idle = std::min({limit, before_act, IdleCycles()}); idle > 0) {
     RunIdle(idle);
     return idle;
   }

@@ -21,6 +21,17 @@ TEST(Mram, WordsArriveWhenTheTimeIsOver) {
   EXPECT_EQ(mram.Word(5), 1234);
 }
 
+TEST(Mram, KnowsTheCycleThatCompletesATransfer) {
+  Mram mram;
+  mram.Start(1000, 0, 100, MramAccess::kWrite);  // until 2000 us
+  EXPECT_EQ(mram.CyclesBeforeEnd(1000, 250), 3);
+  EXPECT_EQ(mram.CyclesBeforeEnd(1000, 300), 3);
+  EXPECT_EQ(mram.CyclesBeforeEnd(1000, 400), 2);
+  EXPECT_EQ(mram.CyclesBeforeEnd(1750, 250), 0);
+  EXPECT_EQ(mram.CyclesBeforeEnd(1999, 250), 0);
+  EXPECT_EQ(mram.CyclesBeforeEnd(2000, 250), 0);
+}
+
 TEST(Mram, OnlyTheNamedWordsAreCopied) {
   Mram mram;
   for (int i = 0; i < 4; ++i) mram.SetWord(i, 7);

@@ -92,6 +92,44 @@ std::string NameOf(const testing::TestParamInfo<std::string>& scenario) {
   return name + std::to_string(scenario.index);
 }
 
+/// A family that changes the velocity of the first axis at the end of each tenth cycle, and says
+/// so.
+const gtcalls::Family& PeriodicFamily() {
+  static const gtcalls::Family kFamily = [] {
+    gtcalls::Family family = gtcalls::GtsFamily();
+    family.after_tick = [](gtcalls::Card& card) {
+      const int64_t cycle = card.motion.cycle();
+      if (cycle % 10 != 0) return;
+      card.motion.SetVelocity(0, static_cast<double>(cycle % 70));
+      card.motion.StartProfile(0);
+    };
+    family.cycles_before_act = [](const gtcalls::CardView& card) {
+      return 9 - card.motion.cycle() % 10;
+    };
+    return family;
+  }();
+  return kFamily;
+}
+
+TEST(RunCyclesOfAFamily, PassOnlyCyclesInWhichItDoesNotAct) {
+  ControllerOptions options;
+  options.family = &PeriodicFamily();
+  Controller one(options);
+  Controller many(options);
+  for (Controller* card : {&one, &many}) {
+    card->motion().ServoOn(0);
+    motion::Profile& profile = card->motion().state().profiles[0];
+    profile.mode = motion::ProfileMode::kJog;
+    profile.jog.parameters = {.acc = 1, .dec = 1};
+  }
+  for (const int64_t chunk : {1, 2, 13, 400, 3, 4000, 77}) {
+    for (int64_t i = 0; i < chunk; ++i) one.RunCycle();
+    many.RunCycles(chunk);
+    EXPECT_EQ(one.Hash(), many.Hash()) << "after " << chunk << " cycles";
+  }
+  EXPECT_NE(many.motion().encoder(0).position, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, RunCycles, testing::ValuesIn(Scenarios()), NameOf);
 
 }  // namespace

@@ -59,7 +59,7 @@ const Family& ToyFamily() {
       .forget_program = [](FamilyState&) {},
       .after_tick = [](Card&) {},
       .before_threads = [](Card&) {},
-      .acts_each_cycle = [](const CardView&) { return false; },
+      .cycles_before_act = [](const CardView&) { return kNeverActs; },
       .writes_variables = [](const CardView&) { return false; },
       .memory_text = [](const FamilyState&) { return std::string(); },
       .restore_memory = [](std::string_view, std::string_view,
