@@ -2,7 +2,15 @@ import js from "@eslint/js";
 import tseslint from "typescript-eslint";
 
 export default tseslint.config(
-  { ignores: ["**/dist/**", "**/dist-test/**", "**/*.d.ts", "engine/src/protocol.ts"] },
+  {
+    ignores: [
+      "**/dist/**",
+      "**/dist-test/**",
+      "**/*.d.ts",
+      "engine/src/protocol.ts",
+      "**/*_schema.ts",
+    ],
+  },
   js.configs.recommended,
   {
     files: ["**/*.js"],
@@ -11,7 +19,7 @@ export default tseslint.config(
     },
   },
   {
-    files: ["vitest.config.js", "**/*.mjs", "*/tools/*.js"],
+    files: ["vitest.config.js", "**/*.mjs", "**/tools/*.js"],
     languageOptions: { globals: { URL: "readonly", console: "readonly", process: "readonly" } },
   },
   {

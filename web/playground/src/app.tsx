@@ -108,7 +108,7 @@ function LinkMessage() {
       case "foreign":
         return t.foreign;
       case "broken":
-        return read.mistakes.length > 0 ? t.lesson : t.broken;
+        return read.mistakes.length > 0 ? t.mistaken : t.broken;
       case "lesson":
         return allLessons.value.some(({ id }) => id === read.id) ? "" : t.unknownLesson(read.id);
       case "none":

@@ -10,6 +10,8 @@ import { Bench } from "./session/bench.js";
 import { linkWith } from "./share/address.js";
 import { type ReadLink, type Shared, writeLink } from "./share/link.js";
 import { keep, kept } from "./store/keep.js";
+import { isLinkedLessons } from "./store/kept_schema.js";
+import { salvaged } from "./store/salvaged.js";
 import { language } from "./store/settings.js";
 import {
   openFiles,
@@ -103,8 +105,7 @@ export function openShared(shared: Shared): void {
 
 /** The lesson that is opened first: that of the link, else the last one. */
 export function openFirst(link: ReadLink): void {
-  const known = kept("linked");
-  if (Array.isArray(known)) linked.value = readLinked(known);
+  linked.value = readLinked(salvaged(isLinkedLessons, kept("linked")) ?? []);
   if (link.kind === "shared") {
     openShared(link.shared);
     return;

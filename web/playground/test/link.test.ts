@@ -35,7 +35,7 @@ test("a link carries a teacher's lesson", () => {
 
 test("a lesson with mistakes is not opened", () => {
   const read = readLink(writeLink({ ...shared, own: { ...own, task: "guess" } as never }));
-  expect(read).toMatchObject({ kind: "broken", mistakes: [{ where: "task" }] });
+  expect(read).toMatchObject({ kind: "broken", mistakes: [{ where: "own.task" }] });
 });
 
 test.each([
@@ -76,13 +76,20 @@ test("a link that was cut off anywhere is said to be broken", () => {
 });
 
 test.each([
-  ["no files", { files: {} }],
-  ["files that are no texts", { files: { "start.c": 1, "task.toml": "" } }],
-  ["a file that is too large", { files: { ...shared.files, "start.c": "x".repeat(70_000) } }],
-  ["a program that is not there", { program: "other.c" }],
-  ["a name of every object", { main: "constructor" }],
-])("a link with %s is broken", (_, change) => {
-  expect(readLink(writeLink({ ...shared, ...change } as Shared))).toMatchObject({
-    kind: "broken",
-  });
+  ["no files", { files: {} }, ["program", "main"]],
+  ["files that are no texts", { files: { "start.c": 1, "task.toml": "" } }, ["files.start.c"]],
+  [
+    "a file that is too large",
+    { files: { ...shared.files, "start.c": "x".repeat(70_000) } },
+    ["files.start.c"],
+  ],
+  ["too many files", { files: Array(2000).fill("") }, [""]],
+  ["a program that is not there", { program: "other.c" }, ["program"]],
+  ["a name of every object", { main: "constructor" }, ["main"]],
+  ["no scenario", { main: undefined }, ["main"]],
+  ["another language", { language: "de" }, ["language"]],
+  ["a lesson that is a list", { own: [] }, ["own"]],
+])("a link with %s is broken, and says where", (_, change, places) => {
+  const read = readLink(writeLink({ ...shared, ...change } as Shared));
+  expect(read).toMatchObject({ kind: "broken", mistakes: places.map((where) => ({ where })) });
 });

@@ -7,6 +7,8 @@ import { computed, signal } from "@preact/signals";
 
 import { startModule } from "../session/engines.js";
 import { keep, kept } from "../store/keep.js";
+import { isSolvedLessons } from "../store/kept_schema.js";
+import { salvaged } from "../store/salvaged.js";
 import { language } from "../store/settings.js";
 import { bench, lesson, project } from "../workspace.js";
 
@@ -22,10 +24,9 @@ export type Verdict =
 
 export const verdict = signal<Verdict>({ kind: "none" });
 
-const storedSolved = kept("solved");
 /** The lessons that are solved. */
 export const solved = signal<ReadonlySet<string>>(
-  new Set(Array.isArray(storedSolved) ? storedSolved.filter((id) => typeof id === "string") : []),
+  new Set(salvaged(isSolvedLessons, kept("solved"))),
 );
 
 /** Whether the verdict says that the task is solved. */

@@ -3,6 +3,8 @@
 import { signal } from "@preact/signals";
 
 import { keep, kept } from "../store/keep.js";
+import { isOpenHints } from "../store/kept_schema.js";
+import { salvaged } from "../store/salvaged.js";
 import { language } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
 import { allLessons, lesson, openLesson } from "../workspace.js";
@@ -12,16 +14,7 @@ import { ownProgram } from "./own_program.js";
 import { VerdictBox } from "./verdict.js";
 
 /** How many hints of a lesson are open. */
-const openHints = signal<Record<string, number>>(readHints(kept("hints")));
-
-function readHints(value: unknown): Record<string, number> {
-  if (typeof value !== "object" || value === null) return {};
-  return Object.fromEntries(
-    Object.entries(value).filter(
-      (entry): entry is [string, number] => typeof entry[1] === "number",
-    ),
-  );
-}
+const openHints = signal(salvaged(isOpenHints, kept("hints")) ?? {});
 
 function Text({ text }: { text: string }) {
   // markdown.ts lets no HTML through.

@@ -2,17 +2,13 @@
 // Tested by test/draft.test.ts.
 
 import type { Language } from "@oncard/engine";
-import { type Lesson, type ParsedLesson, parseLesson } from "@oncard/lessons";
+import { type ParsedLesson, parseLesson } from "@oncard/lessons";
 
+import { isKeptDraft, type KeptDraft } from "../store/kept_schema.js";
+import { salvaged } from "../store/salvaged.js";
 import type { Files } from "../store/shelf.js";
 
-export interface Draft {
-  id: string;
-  title: string;
-  text: string;
-  hints: string[];
-  task: Lesson["task"];
-}
+export type Draft = Required<KeptDraft>;
 
 export const emptyDraft: Draft = { id: "my-lesson", title: "", text: "", hints: [], task: "run" };
 
@@ -39,17 +35,7 @@ export function lessonOf(draft: Draft, start: Start, language: Language): Parsed
   });
 }
 
-/** Reads what the browser has kept; anything else is an empty draft. */
+/** Reads what the browser has kept. What is missing is that of an empty draft. */
 export function readDraft(value: unknown): Draft {
-  if (typeof value !== "object" || value === null) return emptyDraft;
-  const { id, title, text, hints, task } = value as Record<string, unknown>;
-  const textOr = (given: unknown, otherwise: string) =>
-    typeof given === "string" ? given : otherwise;
-  return {
-    id: textOr(id, emptyDraft.id),
-    title: textOr(title, ""),
-    text: textOr(text, ""),
-    hints: Array.isArray(hints) ? hints.filter((hint) => typeof hint === "string") : [],
-    task: task === "explore" ? task : "run",
-  };
+  return { ...emptyDraft, ...salvaged(isKeptDraft, value) };
 }

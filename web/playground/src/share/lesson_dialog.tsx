@@ -1,6 +1,5 @@
 // A form with which a teacher makes a lesson of the open program, and gets its link.
 
-import { limits } from "@oncard/lessons";
 import { useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
@@ -29,7 +28,6 @@ export function LessonDialog({ onClose }: { onClose: () => void }) {
         {t.name}
         <input
           value={draft.title}
-          maxLength={limits.title}
           onInput={({ currentTarget }) => {
             change({ title: currentTarget.value });
           }}
@@ -39,7 +37,6 @@ export function LessonDialog({ onClose }: { onClose: () => void }) {
         {t.id}
         <input
           value={draft.id}
-          maxLength={limits.id}
           onInput={({ currentTarget }) => {
             change({ id: currentTarget.value });
           }}
@@ -68,18 +65,16 @@ export function LessonDialog({ onClose }: { onClose: () => void }) {
           />
         </label>
       ))}
-      {draft.hints.length < limits.hints && (
-        <div>
-          <button
-            type="button"
-            onClick={() => {
-              change({ hints: [...draft.hints, ""] });
-            }}
-          >
-            {t.addHint}
-          </button>
-        </div>
-      )}
+      <div>
+        <button
+          type="button"
+          onClick={() => {
+            change({ hints: [...draft.hints, ""] });
+          }}
+        >
+          {t.addHint}
+        </button>
+      </div>
       <label>
         {t.task}
         <select

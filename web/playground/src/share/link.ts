@@ -2,23 +2,14 @@
 // The digit is the version. Nothing in a link is trusted.
 // Tested by test/link.test.ts.
 
-import { type Lesson, limits, type Mistake, parseLesson } from "@oncard/lessons";
-import type { Language } from "@oncard/engine";
+import { checked, type Lesson, type Mistake, missingFiles, parseLesson } from "@oncard/lessons";
 import lzString from "lz-string";
 
-import { type Files, isFiles } from "../store/shelf.js";
+import { isLinkContent, type LinkContent } from "./link_schema.js";
 import { unpackedLength } from "./unpacked_length.js";
 
-export interface Shared {
-  /** The lesson that it belongs to; none: a program of its own. */
-  lesson?: string;
-  /** A lesson of a teacher's own, with all its texts. */
+export interface Shared extends Omit<LinkContent, "own"> {
   own?: Lesson;
-  files: Files;
-  program: string;
-  main: string;
-  structured?: boolean;
-  language?: Language;
 }
 
 export type ReadLink =
@@ -52,9 +43,7 @@ export function readLink(fragment: string): ReadLink {
   const version = Number(parts[1]);
   if (version !== 1) return { kind: "newer", version };
   const value = unpack(parts[2] ?? "");
-  return typeof value === "object" && value !== null && !Array.isArray(value)
-    ? readShared(value as Record<string, unknown>)
-    : { kind: "broken", mistakes: [] };
+  return value === undefined ? { kind: "broken", mistakes: [] } : readShared(value);
 }
 
 function unpack(text: string): unknown {
@@ -69,23 +58,18 @@ function unpack(text: string): unknown {
   }
 }
 
-function readShared(value: Record<string, unknown>): ReadLink {
-  const broken: ReadLink = { kind: "broken", mistakes: [] };
-  const { files, program, main, lesson, structured, language, own } = value;
-  if (!isFiles(files) || Object.values(files).some((text) => text.length > limits.file)) {
-    return broken;
-  }
-  const isName = (name: unknown): name is string =>
-    typeof name === "string" && Object.hasOwn(files, name);
-  if (!isName(program) || !isName(main)) return broken;
-  const shared: Shared = { files, program, main };
-  if (own !== undefined) {
-    const parsed = parseLesson(own);
-    if ("mistakes" in parsed) return { kind: "broken", mistakes: parsed.mistakes };
-    shared.own = parsed.lesson;
-  }
-  if (typeof lesson === "string" && /^[a-z0-9-]{1,64}$/.test(lesson)) shared.lesson = lesson;
-  if (structured === true) shared.structured = true;
-  if (language === "en" || language === "zh") shared.language = language;
-  return { kind: "shared", shared };
+function readShared(value: unknown): ReadLink {
+  const content = checked(isLinkContent, value);
+  if ("mistakes" in content) return { kind: "broken", mistakes: content.mistakes };
+  const { own, ...shared } = content.value;
+  const missing = missingFiles(shared);
+  if (missing.length > 0) return { kind: "broken", mistakes: missing };
+  if (!own) return { kind: "shared", shared };
+  const parsed = parseLesson(own);
+  if ("lesson" in parsed) return { kind: "shared", shared: { ...shared, own: parsed.lesson } };
+  const mistakes = parsed.mistakes.map(({ where, message }) => ({
+    where: where === "" ? "own" : `own.${where}`,
+    message,
+  }));
+  return { kind: "broken", mistakes };
 }

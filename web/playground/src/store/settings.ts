@@ -4,28 +4,17 @@ import { effect, signal } from "@preact/signals";
 import { type Language, languageOf } from "@oncard/engine";
 
 import { keep, kept } from "./keep.js";
+import { isKeptSettings, type KeptSettings } from "./kept_schema.js";
+import { salvaged } from "./salvaged.js";
 
-export type Theme = "system" | "light" | "dark";
+export type Theme = NonNullable<KeptSettings["theme"]>;
 /** The last one: as fast as it gets. */
 export const speeds = [0.1, 1, 10, Infinity];
 
-interface Settings {
-  language?: Language;
-  theme?: Theme;
-  speed?: number;
-}
+const before = salvaged(isKeptSettings, kept("settings")) ?? {};
 
-const stored = kept("settings");
-const before: Settings = typeof stored === "object" && stored !== null ? stored : {};
-
-export const language = signal<Language>(
-  before.language === "en" || before.language === "zh"
-    ? before.language
-    : languageOf(navigator.language),
-);
-export const theme = signal<Theme>(
-  before.theme === "light" || before.theme === "dark" ? before.theme : "system",
-);
+export const language = signal<Language>(before.language ?? languageOf(navigator.language));
+export const theme = signal<Theme>(before.theme ?? "system");
 /** Times of the card for one of the reader's; JSON knows no Infinity, so that is kept as 0. */
 export const speed = signal<number>(
   before.speed === 0 ? Infinity : (speeds.find((each) => each === before.speed) ?? 1),

@@ -2,7 +2,8 @@
 // away: a reset or a link adds one.
 // Tested by test/shelf.test.ts.
 
-import { limits } from "@oncard/lessons";
+import { isKeptShelf } from "./kept_schema.js";
+import { salvaged } from "./salvaged.js";
 
 /** The texts of a project by their names. */
 export type Files = Record<string, string>;
@@ -12,25 +13,12 @@ export interface Shelf {
   programs: Files[];
 }
 
-/** Reads a shelf from what the browser has kept; undefined if it is none. */
+/** Reads a shelf from what the browser has kept; undefined if there is no program in it. */
 export function readShelf(value: unknown): Shelf | undefined {
-  if (typeof value !== "object" || value === null) return undefined;
-  const { open, programs } = value as Record<string, unknown>;
-  if (!Array.isArray(programs) || programs.length === 0 || !programs.every(isFiles)) {
-    return undefined;
-  }
-  const index = Number.isInteger(open) ? (open as number) : 0;
-  return { open: Math.min(Math.max(index, 0), programs.length - 1), programs };
-}
-
-export function isFiles(value: unknown): value is Files {
-  if (typeof value !== "object" || value === null || Array.isArray(value)) return false;
-  const texts = Object.entries(value);
-  return (
-    texts.length > 0 &&
-    texts.length <= limits.files &&
-    texts.every(([name, text]) => name.length <= limits.fileName && typeof text === "string")
-  );
+  const kept = salvaged(isKeptShelf, value);
+  if (!kept) return undefined;
+  const { open = 0, programs } = kept;
+  return { open: Math.min(Math.max(open, 0), programs.length - 1), programs };
 }
 
 export function sameFiles(a: Files, b: Files): boolean {

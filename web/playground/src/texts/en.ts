@@ -268,7 +268,7 @@ export const en = {
       `This link is of version ${version}, which this page does not know yet. Your own programs are unchanged.`,
     foreign:
       "The part after # in this address is not a program of oncard. Your own programs are unchanged.",
-    lesson: "The lesson in this link has mistakes. Your own programs are unchanged.",
+    mistaken: "This link has mistakes. Your own programs are unchanged.",
     unknownLesson: (id: string) => `There is no lesson '${id}' here.`,
   },
 };

@@ -257,7 +257,7 @@ export const zh: Texts = {
     broken: "此链接已损坏：被截断或改动。您自己的程序没有变化。",
     newer: (version) => `此链接的版本是 ${version}，本页面尚不认识。您自己的程序没有变化。`,
     foreign: "地址中 # 之后的部分不是 oncard 的程序。您自己的程序没有变化。",
-    lesson: "此链接中的课程有错误。您自己的程序没有变化。",
+    mistaken: "此链接的内容有错误。您自己的程序没有变化。",
     unknownLesson: (id) => `这里没有课程“${id}”。`,
   },
 };
