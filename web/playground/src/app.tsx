@@ -1,6 +1,5 @@
 // The page: the bar, the status line and the panels. On narrow screens one panel is shown at a time.
 
-import { signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 
 import { StatusLine } from "./controls/status.js";
@@ -9,21 +8,18 @@ import { ProgramPanel } from "./editor/editor.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
 import { MachinePanel } from "./machine/machine.js";
 import { ValuesPanel } from "./panel/values.js";
-import { front, type Panel, panels } from "./panels.js";
 import { ScopePanel } from "./scope/scope.js";
-import type { ReadLink } from "./share/link.js";
-import { language } from "./store/settings.js";
+import { forgetLink, openedLink } from "./share/opened_link.js";
+import { layout, type Panel, panels, showPanel } from "./store/layout.js";
+import { lessons } from "./store/lessons.js";
+import { settings } from "./store/settings.js";
 import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
-import { allLessons } from "./workspace.js";
-
-/** What the link of the address was. */
-export const link = signal<ReadLink>({ kind: "none" });
 
 function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
   return (
     <section
-      class={`panel ${front.value === name ? "front" : ""}`}
+      class={`panel ${layout.front.value === name ? "front" : ""}`}
       aria-labelledby={`panel-${name}`}
       id={name}
     >
@@ -44,7 +40,7 @@ export function App() {
         href="#program"
         onClick={(event) => {
           event.preventDefault();
-          front.value = "program";
+          showPanel("program");
           document.querySelector<HTMLElement>("#program button")?.focus();
         }}
       >
@@ -59,8 +55,10 @@ export function App() {
             key={name}
             type="button"
             class="tab"
-            aria-pressed={front.value === name}
-            onClick={() => (front.value = name)}
+            aria-pressed={layout.front.value === name}
+            onClick={() => {
+              showPanel(name);
+            }}
           >
             {t.panels[name]}
           </button>
@@ -98,7 +96,7 @@ export function App() {
 
 function LinkMessage() {
   const { share: t } = texts.value;
-  const read = link.value;
+  const read = openedLink.link.value;
   const said = (() => {
     switch (read.kind) {
       case "shared":
@@ -110,7 +108,7 @@ function LinkMessage() {
       case "broken":
         return read.mistakes.length > 0 ? t.mistaken : t.broken;
       case "lesson":
-        return allLessons.value.some(({ id }) => id === read.id) ? "" : t.unknownLesson(read.id);
+        return lessons.all.value.some(({ id }) => id === read.id) ? "" : t.unknownLesson(read.id);
       case "none":
         return "";
     }
@@ -125,13 +123,13 @@ function LinkMessage() {
           <ul>
             {mistakes.map(({ where, message }) => (
               <li key={where + message.en}>
-                <code>{where}</code> {message[language.value]}
+                <code>{where}</code> {message[settings.language.value]}
               </li>
             ))}
           </ul>
         )}
       </div>
-      <button type="button" class="quiet" onClick={() => (link.value = { kind: "none" })}>
+      <button type="button" class="quiet" onClick={forgetLink}>
         {texts.value.close}
       </button>
     </div>

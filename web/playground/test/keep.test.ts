@@ -1,22 +1,14 @@
 import { afterEach, expect, test, vi } from "vitest";
 
 import { keep, keeps, kept } from "../src/store/keep.js";
+import { stubStorage } from "./storage.js";
 
 afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-function storage(): Map<string, string> {
-  const map = new Map<string, string>();
-  vi.stubGlobal("localStorage", {
-    getItem: (key: string) => map.get(key) ?? null,
-    setItem: (key: string, text: string) => map.set(key, text),
-  });
-  return map;
-}
-
 test("what is kept can be read", () => {
-  const map = storage();
+  const map = stubStorage();
   keep("shelf.a", { open: 1 });
   expect([...map.keys()]).toEqual(["oncard.shelf.a"]);
   expect(kept("shelf.a")).toEqual({ open: 1 });
@@ -24,7 +16,7 @@ test("what is kept can be read", () => {
 });
 
 test("what something else has written is nothing", () => {
-  storage().set("oncard.shelf.a", "{");
+  stubStorage().set("oncard.shelf.a", "{");
   expect(kept("shelf.a")).toBeUndefined();
 });
 
@@ -36,7 +28,7 @@ test("a browser that keeps nothing is noticed", () => {
   keep("a", 1);
   expect(keeps.value).toBe(false);
   expect(kept("a")).toBeUndefined();
-  storage();
+  stubStorage();
   keep("a", 1);
   expect(keeps.value).toBe(true);
 });

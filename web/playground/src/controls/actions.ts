@@ -1,9 +1,10 @@
 // What the reader can do with the card, and the keys for it: buttons and keys do the same.
 
 import { checkTask, explore } from "../lesson/checks.js";
-import { speed, speeds } from "../store/settings.js";
-import { chosenLine } from "../editor/editor.js";
-import { bench, ready, toggleBreakpoint } from "../workspace.js";
+import { bench, session } from "../session/bench.js";
+import { ready, toggleBreakpoint } from "../session/on_card.js";
+import { layout } from "../store/layout.js";
+import { changeSpeed } from "../store/settings.js";
 
 async function whenReady(action: () => Promise<void>): Promise<void> {
   if (await ready()) await action();
@@ -11,7 +12,7 @@ async function whenReady(action: () => Promise<void>): Promise<void> {
 
 export const actions = {
   run: () => {
-    if (bench.running.value && bench.notice.value.kind === "running") bench.pause();
+    if (session.running.peek() && session.notice.peek().kind === "running") bench.pause();
     else void whenReady(() => bench.run());
   },
   start: () => void whenReady(() => bench.goTo({ moment: 0 })),
@@ -28,15 +29,12 @@ export const actions = {
   explore: () => void explore(),
   check: () => void checkTask(),
   breakpoint: () => {
-    if (chosenLine.value > 0) toggleBreakpoint(chosenLine.value);
+    const line = layout.chosenLine.peek();
+    if (line > 0) toggleBreakpoint(line);
   },
 };
 
 export type Action = keyof typeof actions;
-
-function changeSpeed(by: number): void {
-  speed.value = speeds[speeds.indexOf(speed.value) + by] ?? speed.value;
-}
 
 /** A key with what is held beside it. */
 export interface Key {

@@ -2,25 +2,25 @@
 
 import type { Stop } from "@oncard/engine";
 
-import { showWarnings } from "../panel/values.js";
-import type { Notice } from "../session/bench.js";
+import { type Notice, present, session } from "../session/bench.js";
+import { isEdited } from "../session/on_card.js";
 import { keeps } from "../store/keep.js";
+import { showWarnings } from "../store/layout.js";
 import type { Texts } from "../texts/en.js";
 import { number, texts } from "../texts/texts.js";
-import { bench, edited } from "../workspace.js";
 
 type Tone = "" | "good" | "bad";
 
 /** Where a thread stands. */
 function lineOf(thread: number): number {
-  return bench.state.value?.threads.find((each) => each.thread === thread)?.line ?? 0;
+  return present.state.value?.threads.find((each) => each.thread === thread)?.line ?? 0;
 }
 
 function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
   const { thread = 0, text = "", failed = [] } = stop;
   switch (stop.reason) {
     case "end": {
-      const over = bench.state.value?.over;
+      const over = present.state.value?.over;
       if (failed.length > 0) return [t.failed(failed.join("; ")), "bad"];
       if (over === "deadlock") return [t.deadlock, "bad"];
       return [over === "time-limit" ? t.finishedLimit : t.finished, "good"];
@@ -68,15 +68,15 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
 
 export function StatusLine() {
   const { status: t } = texts.value;
-  const [text, tone] = noticeText(texts.value, bench.notice.value);
-  const state = bench.state.value;
+  const [text, tone] = noticeText(texts.value, session.notice.value);
+  const state = present.state.value;
   const warnings = state?.warnings.length ?? 0;
   return (
     <div class="status">
       <span class={`status-text ${tone}`} role="status" aria-live="polite">
         {text}
       </span>
-      {edited.value && bench.loaded && <span class="tag accent">{t.edited}</span>}
+      {isEdited.value && state && <span class="tag accent">{t.edited}</span>}
       <span aria-live="polite">
         {warnings > 0 && (
           <button type="button" class="tag warning" onClick={showWarnings}>

@@ -4,11 +4,18 @@ import { useState } from "preact/hooks";
 
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
+import { session } from "../session/bench.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
-import { language, speed, speeds, theme } from "../store/settings.js";
+import {
+  chooseLanguage,
+  chooseSpeed,
+  chooseTheme,
+  settings,
+  speeds,
+  themes,
+} from "../store/settings.js";
 import { texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 import { type Action, actions, ariaKeys, keyText } from "./actions.js";
 
 /** Drawings of 16 × 16. */
@@ -52,7 +59,8 @@ function Tool({
 export function Toolbar() {
   const { controls: t } = texts.value;
   const [shown, setShown] = useState<"keys" | "share" | "teach" | undefined>(undefined);
-  const isRunning = bench.notice.value.kind === "running";
+  const { language, speed, theme } = settings;
+  const isRunning = session.notice.value.kind === "running";
   const close = () => {
     setShown(undefined);
   };
@@ -70,7 +78,9 @@ export function Toolbar() {
           <span>{t.speed}</span>
           <select
             value={String(speed.value)}
-            onChange={({ currentTarget }) => (speed.value = Number(currentTarget.value))}
+            onChange={({ currentTarget }) => {
+              chooseSpeed(Number(currentTarget.value));
+            }}
           >
             {speeds.map((each) => (
               <option key={each} value={String(each)}>
@@ -127,7 +137,9 @@ export function Toolbar() {
           class="quiet"
           aria-label={texts.value.languageLabel}
           lang={language.value === "zh" ? "en" : "zh-CN"}
-          onClick={() => (language.value = language.value === "zh" ? "en" : "zh")}
+          onClick={() => {
+            chooseLanguage(language.value === "zh" ? "en" : "zh");
+          }}
         >
           {texts.value.language}
         </button>
@@ -135,8 +147,7 @@ export function Toolbar() {
           type="button"
           class="quiet"
           onClick={() => {
-            const order = ["system", "light", "dark"] as const;
-            theme.value = order[(order.indexOf(theme.value) + 1) % order.length] ?? "system";
+            chooseTheme(themes[(themes.indexOf(theme.value) + 1) % themes.length] ?? "system");
           }}
         >
           {texts.value.theme[theme.value]}

@@ -1,36 +1,27 @@
 // The program: its files, its editor, and the compiler's messages under the text.
 
-import { signal } from "@preact/signals";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
-import { front } from "../panels.js";
-import { language } from "../store/settings.js";
-import { texts } from "../texts/texts.js";
+import { htmlOf } from "../lesson/markdown.js";
+import { bench, present, session } from "../session/bench.js";
+import { messages } from "../session/messages.js";
+import { describe, isEdited, toggleBreakpoint } from "../session/on_card.js";
+import { chooseLine, layout } from "../store/layout.js";
+import { settings } from "../store/settings.js";
 import {
-  bench,
   copyProgram,
-  describe,
-  diagnostics,
   edit,
-  edited,
-  file,
-  files,
-  lesson,
-  opened,
   openProgram,
   removeProgram,
   resetProgram,
-  shelf,
-  toggleBreakpoint,
-} from "../workspace.js";
+  showFile,
+  source,
+} from "../store/source.js";
+import { texts } from "../texts/texts.js";
 import { CodeEditor, type MarkedLines } from "./code.js";
-import { htmlOf } from "../lesson/markdown.js";
 import { indexOfPlace, placeOfIndex, withFixes } from "./offsets.js";
 import { Problems } from "./problems.js";
-
-/** The line of the program that the reader has chosen, in the editor or among the statements. */
-export const chosenLine = signal(0);
 
 let editor: CodeEditor | undefined;
 /** What is to be done as soon as the editor shows the file that was asked for. */
@@ -38,33 +29,24 @@ let awaited: ((shown: CodeEditor) => void) | undefined;
 
 /** Does something in the editor when it shows this file. */
 function inFile(name: string, work: (shown: CodeEditor) => void): void {
-  if (file.value === name) {
+  if (source.file.value === name) {
     if (editor) work(editor);
     return;
   }
   awaited = work;
-  file.value = name;
-}
-
-/** Shows a line of the program in the editor. */
-export function showLine(line: number): void {
-  front.value = "program";
-  chosenLine.value = line;
-  inFile(lesson.value.program, (shown) => {
-    shown.reveal(line);
-  });
+  showFile(name);
 }
 
 /** Lines of the statements that the threads execute next, and the chosen line. */
 function markedLines(): MarkedLines {
-  const isLoaded = !edited.value && file.value === lesson.value.program;
+  const isLoaded = !isEdited.value && source.file.value === source.lesson.value.program;
   const next = isLoaded
-    ? (bench.state.value?.threads ?? []).filter(({ state }) => state === "running")
+    ? (present.state.value?.threads ?? []).filter(({ state }) => state === "running")
     : [];
   const lines = new Set(next.map(({ line }) => line));
   const marked = [...lines].map((line) => ({ line, class: "cm-next" }));
-  if (isLoaded && !lines.has(chosenLine.value)) {
-    marked.push({ line: chosenLine.value, class: "cm-linked" });
+  if (isLoaded && !lines.has(layout.chosenLine.value)) {
+    marked.push({ line: layout.chosenLine.value, class: "cm-linked" });
   }
   return marked;
 }
@@ -94,23 +76,25 @@ export function ProgramPanel() {
 function ProgramBar() {
   const { editor: t } = texts.value;
   const [asks, setAsks] = useState<"reset" | "remove" | undefined>(undefined);
-  const { programs, open } = shelf.value;
+  const { programs, open } = source.shelf.value;
   return (
     <div class="bar">
       <div class="tabs" role="group" aria-label={t.files}>
-        {Object.keys(files.value).map((name) => (
+        {Object.keys(source.files.value).map((name) => (
           <button
             key={name}
             type="button"
             class="tab"
-            aria-pressed={name === file.value}
-            onClick={() => (file.value = name)}
+            aria-pressed={name === source.file.value}
+            onClick={() => {
+              showFile(name);
+            }}
           >
             {name}
           </button>
         ))}
       </div>
-      {lesson.value.structured && <span class="tag">{t.structured}</span>}
+      {source.lesson.value.structured && <span class="tag">{t.structured}</span>}
       <div class="row end grow">
         {programs.length > 1 && (
           <select
@@ -172,7 +156,7 @@ function ProgramBar() {
 /** The breakpoints in words, for those who do not see or click beside the lines. */
 function Breakpoints() {
   const { editor: t } = texts.value;
-  const lines = bench.breakpoints.value;
+  const lines = session.breakpoints.value;
   if (lines.length === 0) return null;
   return (
     <div class="breakpoints" role="group" aria-label={t.breakpoints}>
@@ -199,22 +183,22 @@ function Breakpoints() {
 // the next key is pressed. A breakpoint that came later would miss an edit, and stand at another line.
 function Code() {
   const host = useRef<HTMLDivElement>(null);
-  const name = file.value;
-  const number = opened.value;
+  const name = source.file.value;
+  const number = source.opened.value;
   useLayoutEffect(() => {
     if (!host.current) return undefined;
     const created: CodeEditor = new CodeEditor(host.current, {
       edit: (text) => {
-        edit(file.value, text);
+        edit(source.file.value, text);
       },
       line: (line) => {
-        if (file.value === lesson.value.program) chosenLine.value = line;
+        if (source.file.value === source.lesson.value.program) chooseLine(line);
       },
       toggle: (line) => {
-        if (file.value === lesson.value.program) toggleBreakpoint(line);
+        if (source.file.value === source.lesson.value.program) toggleBreakpoint(line);
       },
       moved: (lines) => {
-        bench.breakpoints.value = lines;
+        bench.wishStops(lines);
       },
       describe: async (index) => {
         const { text } = created;
@@ -238,15 +222,15 @@ function Code() {
   useLayoutEffect(() => {
     const work = awaited;
     awaited = undefined;
-    editor?.show(name, files.peek()[name] ?? "");
+    editor?.show(name, source.files.peek()[name] ?? "");
     if (editor) work?.(editor);
   }, [name, number]);
   useLayoutEffect(() => {
     editor?.label(texts.value.editor.label(name));
-  }, [name, number, language.value]);
+  }, [name, number, settings.language.value]);
   useLayoutEffect(() => {
-    const text = files.peek()[name] ?? "";
-    const here = diagnostics.value.filter((each) => each.file === name);
+    const text = source.files.peek()[name] ?? "";
+    const here = messages.diagnostics.value.filter((each) => each.file === name);
     editor?.underline(
       here.map((each) => ({
         from: indexOfPlace(text, each.line, each.column),
@@ -255,8 +239,8 @@ function Code() {
         message: each.message,
       })),
     );
-  }, [diagnostics.value, name, number, language.value]);
-  const breakpoints = name === lesson.value.program ? bench.breakpoints.value : [];
+  }, [messages.diagnostics.value, name, number, settings.language.value]);
+  const breakpoints = name === source.lesson.value.program ? session.breakpoints.value : [];
   useLayoutEffect(() => {
     editor?.breakpoints(breakpoints);
   }, [breakpoints, name, number]);
@@ -265,8 +249,15 @@ function Code() {
   useLayoutEffect(() => {
     editor?.mark(marked);
   }, [JSON.stringify(marked), name, number]);
+  const wish = layout.wishedLine.value;
   useLayoutEffect(() => {
-    if (shownLine > 0 && bench.notice.peek().kind !== "running") editor?.reveal(shownLine);
+    if (!wish) return;
+    inFile(source.lesson.peek().program, (shown) => {
+      shown.reveal(wish.line);
+    });
+  }, [wish]);
+  useLayoutEffect(() => {
+    if (shownLine > 0 && session.notice.peek().kind !== "running") editor?.reveal(shownLine);
   }, [shownLine]);
   return <div class="code" ref={host} />;
 }

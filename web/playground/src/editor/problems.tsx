@@ -2,13 +2,14 @@
 
 import type { Diagnostic } from "@oncard/engine";
 
+import { messages } from "../session/messages.js";
+import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { complaint, diagnostics, files } from "../workspace.js";
 import { indexOfPlace } from "./offsets.js";
 
 /** The line of a message, and its caret below it. */
 function excerpt({ file, line, column, end_line, end_column }: Diagnostic): string {
-  const text = files.value[file] ?? "";
+  const text = source.files.value[file] ?? "";
   const begin = indexOfPlace(text, line, 1);
   const whole = text.slice(begin).split("\n", 1)[0] ?? "";
   const from = indexOfPlace(text, line, column) - begin;
@@ -22,11 +23,12 @@ export function Problems(props: {
   onFix: (diagnostic: Diagnostic) => void;
 }) {
   const { editor: t } = texts.value;
-  const found = diagnostics.value;
+  const found = messages.diagnostics.value;
+  const complaint = messages.complaint.value;
   return (
     <section class="problems" aria-label={t.problems} aria-live="polite" tabIndex={0}>
-      {complaint.value !== "" && <pre class="problem error complaint">{complaint.value}</pre>}
-      {found.length === 0 && complaint.value === "" && <p class="muted small">{t.none}</p>}
+      {complaint !== "" && <pre class="problem error complaint">{complaint}</pre>}
+      {found.length === 0 && complaint === "" && <p class="muted small">{t.none}</p>}
       <ul>
         {found.map((diagnostic, index) => (
           <li key={index} class={`problem ${diagnostic.severity}`}>
@@ -57,7 +59,7 @@ export function Problems(props: {
               )}
             </div>
             <p>{diagnostic.message}</p>
-            {Object.hasOwn(files.value, diagnostic.file) && <pre>{excerpt(diagnostic)}</pre>}
+            {Object.hasOwn(source.files.value, diagnostic.file) && <pre>{excerpt(diagnostic)}</pre>}
             {diagnostic.notes.map((note, at) => (
               <p key={at} class="muted">
                 {note.file !== undefined && `${note.file}:${note.line ?? 1}: `}

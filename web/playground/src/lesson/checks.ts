@@ -3,14 +3,14 @@
 
 import type { Engine, ExploreAnswer, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
-import { computed, signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 
+import { bench } from "../session/bench.js";
 import { startModule } from "../session/engines.js";
-import { keep, kept } from "../store/keep.js";
-import { isSolvedLessons } from "../store/kept_schema.js";
-import { salvaged } from "../store/salvaged.js";
-import { language } from "../store/settings.js";
-import { bench, lesson, project } from "../workspace.js";
+import { markSolved } from "../store/lessons.js";
+import { settings } from "../store/settings.js";
+import { slice } from "../store/slice.js";
+import { source } from "../store/source.js";
 
 /** What a check says. */
 export type Verdict =
@@ -22,12 +22,12 @@ export type Verdict =
   | { kind: "run"; run: NonNullable<RunAnswer["run"]> }
   | { kind: "explored"; exploration: ExploreAnswer; isCheck: boolean };
 
-export const verdict = signal<Verdict>({ kind: "none" });
+const [{ verdict }, change] = slice<{ verdict: Verdict }>({ verdict: { kind: "none" } });
+export { verdict };
 
-/** The lessons that are solved. */
-export const solved = signal<ReadonlySet<string>>(
-  new Set(salvaged(isSolvedLessons, kept("solved"))),
-);
+function say(said: Verdict): void {
+  change({ verdict: said });
+}
 
 /** Whether the verdict says that the task is solved. */
 export const isSolvedNow = computed(() => {
@@ -45,7 +45,7 @@ async function prover(): Promise<Engine> {
   started.onEnded = () => {
     engine = undefined;
   };
-  await started.hello(language.value);
+  await started.hello(settings.language.peek());
   return started;
 }
 
@@ -54,7 +54,7 @@ async function judged(
   judge: (engine: Engine) => Promise<Verdict>,
 ): Promise<Verdict> {
   const number = ++asked;
-  verdict.value = { kind: "busy", what };
+  say({ kind: "busy", what });
   let found: Verdict;
   try {
     found = await judge(await prover());
@@ -62,15 +62,15 @@ async function judged(
     if (!(error instanceof RefusedError)) engine = undefined;
     found = { kind: "refused", message: error instanceof Error ? error.message : String(error) };
   }
-  if (number === asked) verdict.value = found;
+  if (number === asked) say(found);
   return verdict.value;
 }
 
 /** Searches all interleavings; a failing run is then on the card. */
 export async function explore(isCheck = false): Promise<void> {
-  const explored = project.value;
+  const explored = source.project.peek();
   const found = await judged(isCheck ? "check" : "explore", async (started) => {
-    const exploration = await started.explore(explored, language.value);
+    const exploration = await started.explore(explored, settings.language.peek());
     if (!exploration.compiled) return { kind: "not-compiled" };
     return { kind: "explored", exploration, isCheck };
   });
@@ -81,18 +81,15 @@ export async function explore(isCheck = false): Promise<void> {
 
 /** Checks the task of the lesson. */
 export async function checkTask(): Promise<void> {
-  const { id, task } = lesson.value;
+  const { id, task } = source.lesson.peek();
   if (task === "explore") await explore(true);
   else {
     await judged("check", async (started) => {
-      const { run } = await started.run(project.value);
+      const { run } = await started.run(source.project.peek());
       return run ? { kind: "run", run } : { kind: "not-compiled" };
     });
   }
-  if (isSolvedNow.value && lesson.value.id === id) {
-    solved.value = new Set([...solved.value, id]);
-    keep("solved", [...solved.value]);
-  }
+  if (isSolvedNow.value && source.lesson.peek().id === id) markSolved(id);
 }
 
 /** Ends a check or an exploration. */
@@ -102,11 +99,11 @@ export function stopCheck(): void {
     started.close();
   });
   engine = undefined;
-  verdict.value = { kind: "stopped" };
+  say({ kind: "stopped" });
 }
 
 /** What was said of another program is no longer of use. */
 export function forgetVerdict(): void {
   if (verdict.value.kind === "busy") stopCheck();
-  verdict.value = { kind: "none" };
+  say({ kind: "none" });
 }

@@ -1,20 +1,13 @@
 // The lesson: the list with its progress, the text, hints that open one by one, and the check.
 
-import { signal } from "@preact/signals";
-
-import { keep, kept } from "../store/keep.js";
-import { isOpenHints } from "../store/kept_schema.js";
-import { salvaged } from "../store/salvaged.js";
-import { language } from "../store/settings.js";
+import { lessonNamed, lessons, openHints } from "../store/lessons.js";
+import { ownProgram } from "../store/own_program.js";
+import { settings } from "../store/settings.js";
+import { openLesson, source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { allLessons, lesson, openLesson } from "../workspace.js";
-import { checkTask, forgetVerdict, isSolvedNow, solved, verdict } from "./checks.js";
+import { checkTask, forgetVerdict, isSolvedNow, verdict } from "./checks.js";
 import { htmlOf } from "./markdown.js";
-import { ownProgram } from "./own_program.js";
 import { VerdictBox } from "./verdict.js";
-
-/** How many hints of a lesson are open. */
-const openHints = signal(salvaged(isOpenHints, kept("hints")) ?? {});
 
 function Text({ text }: { text: string }) {
   // markdown.ts lets no HTML through.
@@ -23,9 +16,11 @@ function Text({ text }: { text: string }) {
 
 export function LessonPanel() {
   const { lessons: t } = texts.value;
-  const open = lesson.value;
-  const shown = Math.min(openHints.value[open.id] ?? 0, open.hints.length);
-  const list = allLessons.value.filter(({ id }) => id !== ownProgram.id);
+  const open = source.lesson.value;
+  const { solved } = lessons;
+  const { language } = settings;
+  const shown = Math.min(lessons.openHints.value[open.id] ?? 0, open.hints.length);
+  const list = lessons.all.value.filter(({ id }) => id !== ownProgram.id);
   const at = list.findIndex(({ id }) => id === open.id);
   const next = at >= 0 ? list[at + 1] : undefined;
   return (
@@ -38,7 +33,7 @@ export function LessonPanel() {
           id="lesson-choice"
           value={open.id}
           onChange={({ currentTarget }) => {
-            const chosen = allLessons.value.find(({ id }) => id === currentTarget.value);
+            const chosen = lessonNamed(currentTarget.value);
             forgetVerdict();
             if (chosen) openLesson(chosen);
           }}
@@ -83,8 +78,7 @@ export function LessonPanel() {
             type="button"
             class="quiet"
             onClick={() => {
-              openHints.value = { ...openHints.value, [open.id]: shown + 1 };
-              keep("hints", openHints.value);
+              openHints(open.id, shown + 1);
             }}
           >
             {t.hint} ({shown}/{open.hints.length})

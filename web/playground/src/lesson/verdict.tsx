@@ -2,8 +2,8 @@
 
 import type { ExploreAnswer } from "@oncard/engine";
 
+import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
-import { lesson } from "../workspace.js";
 import { stopCheck, verdict } from "./checks.js";
 
 export function VerdictBox() {
@@ -69,7 +69,7 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
   const { report, text = "", schedule } = exploration;
   if (!report) return null;
   const isGood = report.verdict === "PROVED" || report.verdict === "PASSED";
-  const isTask = isCheck && lesson.value.task === "explore" && report.verdict === "PROVED";
+  const isTask = isCheck && source.lesson.value.task === "explore" && report.verdict === "PROVED";
   // The report for people is in the reader's language: the sentence after its values is the culprit.
   return (
     <>

@@ -3,8 +3,9 @@
 import type { Card } from "@oncard/engine";
 import { computed, effect, signal } from "@preact/signals";
 
+import { present } from "../session/bench.js";
+import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { bench, lesson } from "../workspace.js";
 import { type AxisView, axesNamed, axesOf, grown, isUsed, type Reach } from "./axes.js";
 import { Pins } from "./pins.js";
 import { Stage } from "./stage.js";
@@ -15,9 +16,9 @@ const used = signal<ReadonlySet<number>>(new Set());
 
 /** What has been used since the program was loaded. */
 effect(() => {
-  const { value: card } = bench.card;
+  const { value: card } = present.card;
   if (!card) return;
-  const isStart = bench.state.peek()?.head === 0;
+  const isStart = present.state.peek()?.head === 0;
   const axes = axesOf(card);
   const before = isStart ? new Set<number>() : used.peek();
   const fresh = axes.filter((axis) => isUsed(axis) && !before.has(axis.axis));
@@ -31,7 +32,7 @@ effect(() => {
 
 /** The axes that are shown: those that are used or that the lesson speaks of; otherwise the first. */
 const shown = computed(() => {
-  const named = axesNamed(lesson.value.scope ?? []);
+  const named = axesNamed(source.lesson.value.scope ?? []);
   const numbers = new Set([...used.value, ...named]);
   return numbers.size > 0 ? numbers : new Set([1]);
 });
@@ -40,7 +41,7 @@ const tableIsShown = signal<boolean | undefined>(undefined);
 
 export function MachinePanel() {
   const { machine: t } = texts.value;
-  const { value: card } = bench.card;
+  const { value: card } = present.card;
   if (!card) return <p class="muted empty">{t.idle}</p>;
   const axes = axesOf(card).filter(({ axis }) => shown.value.has(axis));
   const [x, y] = axes;

@@ -2,8 +2,8 @@
 
 import type { CardWord } from "@oncard/engine";
 
+import { bench } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 
 export function Pins({ word, pins }: { word: CardWord; pins: number }) {
   const { machine: t } = texts.value;

@@ -1,8 +1,8 @@
 // An XY table of two axes: where the tool is, and the way that it has taken.
 
 import { useAsked } from "../session/asked.js";
+import { bench, present, session } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 import { type AxisView, placeOn, type Reach } from "./axes.js";
 
 const size = 200;
@@ -59,8 +59,8 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
 
 /** The positions up to now. */
 function usePath(x: number, y: number): (readonly [number, number])[] {
-  const time = bench.state.value?.time_ms ?? 0;
-  const key = `${x} ${y} ${time} ${bench.history.value}`;
+  const time = present.state.value?.time_ms ?? 0;
+  const key = `${x} ${y} ${time} ${session.history.value}`;
   const ask = async () => {
     if (time === 0) return [];
     const engine = await bench.engine();
@@ -68,5 +68,5 @@ function usePath(x: number, y: number): (readonly [number, number])[] {
     const [xs, ys] = await engine.trace(names, 0, time, pathPoints);
     return (xs?.largest ?? []).map((value, index) => [value, ys?.largest[index] ?? 0] as const);
   };
-  return useAsked(key, ask, bench.running.value) ?? [];
+  return useAsked(key, ask, session.running.value) ?? [];
 }

@@ -1,27 +1,21 @@
 // Variables, threads, the statements on the card beside the lines of the source, and warnings.
 
 import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
-import { signal } from "@preact/signals";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
-import { chosenLine, showLine } from "../editor/editor.js";
-import { front } from "../panels.js";
+import { bench, present, session } from "../session/bench.js";
+import { isEdited } from "../session/on_card.js";
+import { layout, showLine, showTab, tabs } from "../store/layout.js";
 import { number, texts } from "../texts/texts.js";
-import { bench, edited } from "../workspace.js";
-
-const tabs = ["variables", "threads", "listing", "warnings"] as const;
-const tab = signal<(typeof tabs)[number]>("variables");
-
-/** Shows the warnings of the card, and leads the keyboard to them once they are drawn. */
-export function showWarnings(): void {
-  front.value = "values";
-  tab.value = "warnings";
-  requestAnimationFrame(() => {
-    document.querySelector<HTMLElement>(".values-panel > .scroll")?.focus();
-  });
-}
 
 export function ValuesPanel() {
   const { values: t } = texts.value;
+  const { tab } = layout;
+  const list = useRef<HTMLDivElement>(null);
+  const wishes = layout.listWishes.value;
+  useLayoutEffect(() => {
+    if (wishes > 0) list.current?.focus();
+  }, [wishes]);
   return (
     <div class="values-panel">
       <div class="tabs" role="group" aria-label={t.label}>
@@ -31,14 +25,16 @@ export function ValuesPanel() {
             type="button"
             class="tab"
             aria-pressed={each === tab.value}
-            onClick={() => (tab.value = each)}
+            onClick={() => {
+              showTab(each);
+            }}
           >
             {t.tabs[each]}
           </button>
         ))}
       </div>
-      <div class="scroll" tabIndex={0} role="group" aria-label={t.tabs[tab.value]}>
-        {!bench.state.value ? (
+      <div class="scroll" ref={list} tabIndex={0} role="group" aria-label={t.tabs[tab.value]}>
+        {!present.state.value ? (
           <p class="muted empty">{t.idle}</p>
         ) : tab.value === "variables" ? (
           <Variables />
@@ -56,11 +52,11 @@ export function ValuesPanel() {
 
 function Variables() {
   const { values: t } = texts.value;
-  const threads = bench.state.value?.threads ?? [];
+  const threads = present.state.value?.threads ?? [];
   return (
     <>
-      <VariableTable title={t.globals} variables={bench.globals.value} />
-      {[...bench.locals.value].map(([page, variables]) => {
+      <VariableTable title={t.globals} variables={present.globals.value} />
+      {[...present.locals.value].map(([page, variables]) => {
         const functions = threads.filter((thread) => thread.page === page);
         const names = functions.map(({ function: name }) => name).join(", ");
         return <VariableTable key={page} title={t.locals(page, names)} variables={variables} />;
@@ -149,7 +145,7 @@ function Threads() {
         </tr>
       </thead>
       <tbody>
-        {bench.state.value?.threads.map((thread) => (
+        {present.state.value?.threads.map((thread) => (
           <tr key={thread.thread} class={thread.state === "faulted" ? "bad" : ""}>
             <th scope="row">{thread.thread}</th>
             <td>{thread.function}</td>
@@ -172,7 +168,7 @@ function Threads() {
 /** What the card's supervisor warns of up to the present moment. */
 function Warnings() {
   const { values: t } = texts.value;
-  const warnings = bench.state.value?.warnings ?? [];
+  const warnings = present.state.value?.warnings ?? [];
   if (warnings.length === 0) return <p class="muted empty">{t.noWarnings}</p>;
   return (
     <table class="values">
@@ -204,7 +200,7 @@ function Warnings() {
 
 /** The next statement of each thread, as `function position`. */
 function nextStatements(): Set<string> {
-  const running = (bench.state.value?.threads ?? []).filter(({ state }) => state === "running");
+  const running = (present.state.value?.threads ?? []).filter(({ state }) => state === "running");
   return new Set(running.map(({ function: name, position }) => `${name} ${position}`));
 }
 
@@ -212,7 +208,7 @@ function Listing() {
   const next = nextStatements();
   return (
     <>
-      {bench.listing.value.map((listed) => (
+      {session.listing.value.map((listed) => (
         <FunctionListing key={listed.name} listed={listed} next={next} />
       ))}
     </>
@@ -235,7 +231,7 @@ function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<s
       </thead>
       <tbody>
         {listed.statements.map(({ line, text, words }, index) => {
-          const isLinked = !edited.value && line === chosenLine.value;
+          const isLinked = !isEdited.value && line === layout.chosenLine.value;
           const isNext = next.has(`${listed.name} ${index}`);
           return (
             <tr key={index} class={`${isLinked ? "linked" : ""} ${isNext ? "next" : ""}`}>

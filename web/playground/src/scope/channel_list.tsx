@@ -2,17 +2,17 @@
 
 import { useState } from "preact/hooks";
 
+import { present } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 import { channelNames, type Setting, unitsPerDivision } from "./channels.js";
-import { addChannel, channels, removeChannel, setChannel } from "./settings.js";
+import { addChannel, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 export function ChannelList({ sweep }: { sweep: Sweep }) {
   const { scope: t } = texts.value;
   return (
     <div class="channels">
-      {channels.value.map((setting, index) => (
+      {scope.channels.value.map((setting, index) => (
         <Channel key={setting.name} setting={setting} index={index} sweep={sweep} />
       ))}
       <AddChannel label={t.add} />
@@ -78,9 +78,9 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
 
 function AddChannel({ label }: { label: string }) {
   const [text, setText] = useState("");
-  const locals = [...bench.locals.value.values()].flat();
-  const names = channelNames(bench.card.value, [...bench.globals.value, ...locals]);
-  const free = names.filter((name) => !channels.value.some((each) => each.name === name));
+  const locals = [...present.locals.value.values()].flat();
+  const names = channelNames(present.card.value, [...present.globals.value, ...locals]);
+  const free = names.filter((name) => !scope.channels.value.some((each) => each.name === name));
   return (
     <div class="channel">
       <input

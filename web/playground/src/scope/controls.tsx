@@ -3,20 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import { number, texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
-import {
-  armedAt,
-  before,
-  channels,
-  edge,
-  level,
-  type Mode,
-  mode,
-  modes,
-  source,
-  spanMs,
-  spans,
-} from "./settings.js";
+import { arm, type Mode, modes, scope, spans, turnKnobs } from "./settings.js";
 import type { Edge } from "./trigger.js";
 
 function Knob(props: { label: string; children: ComponentChildren }) {
@@ -34,13 +21,15 @@ export function Controls(props: {
   onPng: () => void;
 }) {
   const { scope: t } = texts.value;
-  const triggers = mode.value === "auto" || mode.value === "single";
+  const triggers = scope.mode.value === "auto" || scope.mode.value === "single";
   return (
     <div class="bar wrap">
       <Knob label={t.mode}>
         <select
-          value={mode.value}
-          onChange={({ currentTarget }) => (mode.value = currentTarget.value as Mode)}
+          value={scope.mode.value}
+          onChange={({ currentTarget }) => {
+            turnKnobs({ mode: currentTarget.value as Mode });
+          }}
         >
           {modes.map((each) => (
             <option key={each} value={each}>
@@ -49,11 +38,13 @@ export function Controls(props: {
           ))}
         </select>
       </Knob>
-      {mode.value !== "whole" && (
+      {scope.mode.value !== "whole" && (
         <Knob label={t.span}>
           <select
-            value={spanMs.value}
-            onChange={({ currentTarget }) => (spanMs.value = Number(currentTarget.value))}
+            value={scope.spanMs.value}
+            onChange={({ currentTarget }) => {
+              turnKnobs({ spanMs: Number(currentTarget.value) });
+            }}
           >
             {spans.map((each) => (
               <option key={each} value={each}>
@@ -64,13 +55,8 @@ export function Controls(props: {
         </Knob>
       )}
       {triggers && <TriggerKnobs />}
-      {mode.value === "single" && (
-        <button
-          type="button"
-          onClick={() => {
-            armedAt.value = bench.state.value?.time_ms ?? 0;
-          }}
-        >
+      {scope.mode.value === "single" && (
+        <button type="button" onClick={arm}>
           {t.arm}
         </button>
       )}
@@ -97,10 +83,12 @@ function TriggerKnobs() {
     <>
       <Knob label={t.source}>
         <select
-          value={source.value}
-          onChange={({ currentTarget }) => (source.value = currentTarget.value)}
+          value={scope.source.value}
+          onChange={({ currentTarget }) => {
+            turnKnobs({ source: currentTarget.value });
+          }}
         >
-          {channels.value.map(({ name }) => (
+          {scope.channels.value.map(({ name }) => (
             <option key={name} value={name}>
               {name}
             </option>
@@ -112,17 +100,19 @@ function TriggerKnobs() {
           type="number"
           step="any"
           class="narrow"
-          value={level.value}
+          value={scope.level.value}
           onInput={({ currentTarget }) => {
             const to = currentTarget.valueAsNumber;
-            if (Number.isFinite(to)) level.value = to;
+            if (Number.isFinite(to)) turnKnobs({ level: to });
           }}
         />
       </Knob>
       <Knob label={t.edge}>
         <select
-          value={edge.value}
-          onChange={({ currentTarget }) => (edge.value = currentTarget.value as Edge)}
+          value={scope.edge.value}
+          onChange={({ currentTarget }) => {
+            turnKnobs({ edge: currentTarget.value as Edge });
+          }}
         >
           {(["rising", "falling", "either"] as const).map((each) => (
             <option key={each} value={each}>
@@ -133,8 +123,10 @@ function TriggerKnobs() {
       </Knob>
       <Knob label={t.pre}>
         <select
-          value={before.value}
-          onChange={({ currentTarget }) => (before.value = Number(currentTarget.value))}
+          value={scope.before.value}
+          onChange={({ currentTarget }) => {
+            turnKnobs({ before: Number(currentTarget.value) });
+          }}
         >
           {[0, 0.1, 0.25, 0.5, 0.75, 0.9].map((each) => (
             <option key={each} value={each}>

@@ -3,14 +3,14 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
+import { session } from "../session/bench.js";
 import { isDark } from "../store/settings.js";
 import { number, texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 import { ChannelList } from "./channel_list.js";
 import { csvOf, readingAt } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Plot } from "./plot.js";
-import { channels, cursors, type Shown, sweepKey, sweepNow } from "./settings.js";
+import { putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
@@ -21,7 +21,7 @@ export function ScopePanel() {
   const plot = useRef<Plot>();
   const [size, setSize] = useState({ width: 600, height: 200 });
   const parts = Math.max(100, Math.round(size.width));
-  const shown: Shown = useAsked(sweepKey(parts), () => sweepNow(parts), bench.running.value) ?? {
+  const shown: Shown = useAsked(sweepKey(parts), () => sweepNow(parts), session.running.value) ?? {
     sweep: emptySweep,
   };
   const { sweep, trigger } = shown;
@@ -44,14 +44,19 @@ export function ScopePanel() {
   const look = isDark() ? "dark" : "light";
   useEffect(() => {
     if (size.width < 20 || size.height < 20) return;
-    plot.current?.draw(sweep, channels.value, { cursors: cursors.value ?? [], trigger }, look);
-  }, [sweep, trigger, channels.value, cursors.value, look, size]);
+    plot.current?.draw(
+      sweep,
+      scope.channels.value,
+      { cursors: scope.cursors.value ?? [], trigger },
+      look,
+    );
+  }, [sweep, trigger, scope.channels.value, scope.cursors.value, look, size]);
 
   const held = useRef<0 | 1>(0);
   const put = (which: 0 | 1, time: number) => {
-    const [a, b] = cursors.value ?? [sweep.fromMs, sweep.toMs];
+    const [a, b] = scope.cursors.value ?? [sweep.fromMs, sweep.toMs];
     const at = Math.max(0, time);
-    cursors.value = which === 0 ? [at, b] : [a, at];
+    putCursors(which === 0 ? [at, b] : [a, at]);
   };
 
   return (
@@ -72,12 +77,12 @@ export function ScopePanel() {
         data-to-ms={sweep.toMs}
         ref={host}
         role="img"
-        aria-label={`${t.label}: ${channels.value.map(({ name }) => name).join(", ")}`}
+        aria-label={`${t.label}: ${scope.channels.value.map(({ name }) => name).join(", ")}`}
         onPointerDown={(event) => {
           const time = plot.current?.timeAt(event.clientX);
           if (time === undefined) return;
           event.currentTarget.setPointerCapture(event.pointerId);
-          const [a, b] = cursors.value ?? [sweep.fromMs, sweep.toMs];
+          const [a, b] = scope.cursors.value ?? [sweep.fromMs, sweep.toMs];
           held.current = event.shiftKey || Math.abs(time - b) < Math.abs(time - a) ? 1 : 0;
           put(held.current, time);
         }}
@@ -87,7 +92,7 @@ export function ScopePanel() {
           if (time !== undefined) put(held.current, time);
         }}
       />
-      {channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
+      {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
       <ChannelList sweep={sweep} />
       <Cursors sweep={sweep} onPut={put} />
     </div>
@@ -97,8 +102,8 @@ export function ScopePanel() {
 function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => void }) {
   const { sweep, onPut } = props;
   const { scope: t } = texts.value;
-  const isOn = cursors.value !== undefined;
-  const [a, b] = cursors.value ?? [0, 0];
+  const isOn = scope.cursors.value !== undefined;
+  const [a, b] = scope.cursors.value ?? [0, 0];
   const step = (sweep.toMs - sweep.fromMs) / 200;
   return (
     <div class="cursors">
@@ -108,9 +113,9 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
           checked={isOn}
           onChange={({ currentTarget }) => {
             const quarter = (sweep.toMs - sweep.fromMs) / 4;
-            cursors.value = currentTarget.checked
-              ? [sweep.fromMs + quarter, sweep.toMs - quarter]
-              : undefined;
+            putCursors(
+              currentTarget.checked ? [sweep.fromMs + quarter, sweep.toMs - quarter] : undefined,
+            );
           }}
         />
         {t.cursors}
@@ -149,7 +154,7 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
               </tr>
             </thead>
             <tbody>
-              {channels.value.map(({ name }) => {
+              {scope.channels.value.map(({ name }) => {
                 const atA = readingAt(sweep, name, a)?.largest;
                 const atB = readingAt(sweep, name, b)?.largest;
                 const both = atA !== undefined && atB !== undefined;

@@ -1,5 +1,5 @@
-// The session of the page: one program on the card, driven by the reader. Its signals are what the
-// panels draw; every change of the moment ends in `#show`.
+// The session of the page: one program on the card, driven by the reader. It owns two slices: what
+// the session does, and how the card is at the present moment, which changes in `#show` alone.
 
 import type {
   Card,
@@ -13,9 +13,10 @@ import type {
   WalkResult,
 } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
-import { batch, signal } from "@preact/signals";
+import { batch } from "@preact/signals";
 
-import { language, speed } from "../store/settings.js";
+import { settings } from "../store/settings.js";
+import { slice } from "../store/slice.js";
 import { startEngine } from "./engines.js";
 
 /** What the status line says. */
@@ -32,24 +33,45 @@ export type Notice =
 /** How many steps a step of the reader may take until a thread executes a statement. */
 const stepsToStatement = 20_000;
 /** Steps in one request of a run; other requests are answered after them. */
-const slice = 40_000;
+const stepsOfRun = 40_000;
 /** So long after the end of its threads, in ms, a card without a rest is stopped. */
 const longestAfterEnd = 60_000;
 
-export class Bench {
-  readonly notice = signal<Notice>({ kind: "starting" });
-  readonly state = signal<State | undefined>(undefined);
-  readonly card = signal<Card | undefined>(undefined);
-  readonly globals = signal<Variable[]>([]);
-  /** Of each bound data page. */
-  readonly locals = signal<Map<number, Variable[]>>(new Map());
-  readonly listing = signal<ListedFunction[]>([]);
-  readonly running = signal(false);
+interface Session {
+  notice: Notice;
+  running: boolean;
+  /** What was put onto the card last, whether it compiles or not. */
+  project: Project | undefined;
+  listing: ListedFunction[];
   /** Lines of the program before which a run stops, in their order. */
-  readonly breakpoints = signal<readonly number[]>([]);
+  breakpoints: readonly number[];
   /** Grows when values of the past may have changed: with each load, choice and change. */
-  readonly history = signal(0);
+  history: number;
+}
 
+/** The card at the present moment. Without a program there is no state and no card. */
+interface Present {
+  state: State | undefined;
+  card: Card | undefined;
+  globals: Variable[];
+  /** Of each bound data page. */
+  locals: ReadonlyMap<number, Variable[]>;
+}
+
+const nothing: Present = { state: undefined, card: undefined, globals: [], locals: new Map() };
+
+const [session, changeSession] = slice<Session>({
+  notice: { kind: "starting" },
+  running: false,
+  project: undefined,
+  listing: [],
+  breakpoints: [],
+  history: 0,
+});
+const [present, changePresent] = slice<Present>(nothing);
+export { present, session };
+
+class Bench {
   #engine: Promise<Engine> | undefined;
   #work: Promise<unknown> = Promise.resolve();
   /** The run that goes on until it is paused; whatever is done next ends it. */
@@ -57,12 +79,6 @@ export class Bench {
   /** The present walk; a step is short, and ended by a pause alone. */
   #walk: AbortController | undefined;
   #head = 0;
-  #project: Project | undefined;
-
-  /** Whether a program is loaded. */
-  get loaded(): boolean {
-    return this.state.value !== undefined;
-  }
 
   // --- Engine ------------------------------------------------------------------------------------
 
@@ -79,33 +95,30 @@ export class Bench {
         this.pause();
         this.#clear({ kind: "engine-ended", message });
       };
-      await engine.hello(language.value);
+      await engine.hello(settings.language.value);
       return engine;
     } catch (error) {
       this.#engine = undefined;
       const message = error instanceof Error ? error.message : String(error);
-      if (this.notice.value.kind !== "engine-ended") this.#clear({ kind: "no-engine", message });
+      if (session.notice.peek().kind !== "engine-ended") {
+        this.#clear({ kind: "no-engine", message });
+      }
       throw error;
     }
   }
 
   #clear(notice: Notice): void {
     batch(() => {
-      this.notice.value = notice;
-      this.state.value = undefined;
-      this.card.value = undefined;
-      this.globals.value = [];
-      this.locals.value = new Map();
-      this.listing.value = [];
-      this.running.value = false;
+      changePresent(nothing);
+      changeSession({ notice, listing: [], running: false });
     });
   }
 
   /** The language of the engine's texts has changed. */
   async speak(): Promise<void> {
     await this.#then(async (engine) => {
-      await engine.hello(language.value);
-      if (this.loaded) await this.#show(await engine.state());
+      await engine.hello(settings.language.value);
+      if (present.state.peek()) await this.#show(await engine.state());
     });
   }
 
@@ -121,29 +134,34 @@ export class Bench {
    * compiles.
    */
   load(project: Project): Promise<boolean> {
-    return this.#load(project, (engine) => this.#setStops(engine));
+    return this.#load(project, project, (engine) => this.#setStops(engine));
   }
 
-  /** @param prepare what comes before any walk, even one that was asked for meanwhile */
+  /**
+   * @param project what the reader works on
+   * @param loaded the project, perhaps with a recording of it
+   * @param prepare what comes before any walk, even one that was asked for meanwhile
+   */
   async #load(
     project: Project,
+    loaded: Project,
     prepare: (engine: Engine) => Promise<void> = () => Promise.resolve(),
   ): Promise<boolean> {
+    changeSession({ project });
     let compiled = false;
     await this.#then(async (engine) => {
       this.#head = 0;
-      this.#project = project;
       try {
-        const loaded = await engine.load(project);
-        compiled = loaded.compiled;
-        if (!loaded.compiled) {
+        const answer = await engine.load(loaded);
+        compiled = answer.compiled;
+        if (!answer.compiled) {
           this.#clear({ kind: "not-compiled" });
           return;
         }
-        this.listing.value = await engine.listing();
+        changeSession({ listing: await engine.listing() });
         await prepare(engine);
-        this.history.value++;
-        await this.#show(loaded.state, { kind: "ready" });
+        this.#changeHistory();
+        await this.#show(answer.state, { kind: "ready" });
       } catch (error) {
         if (!(error instanceof RefusedError)) throw error;
         this.#clear({ kind: "refused", message: error.message });
@@ -156,27 +174,31 @@ export class Bench {
   async loadRecording(project: Project, schedule: string): Promise<void> {
     const main = project.main.replace(/\.[^.]*$/, ".schedule");
     const files = { ...project.files, [main]: schedule };
-    if (!(await this.#load({ ...project, main, files }))) return;
+    if (!(await this.#load(project, { ...project, main, files }))) return;
     await this.#then(async (engine) => this.#arrived(await engine.walkForward({ goal: "stop" })));
-    await this.stopAt(this.breakpoints.value);
+    await this.stopAt(session.breakpoints.value);
   }
 
   /** Replaces the breakpoints of what is loaded: each goes to the next line with a statement. */
   stopAt(wished: readonly number[]): Promise<void> {
-    this.breakpoints.value = wished;
+    this.wishStops(wished);
     return this.#then((engine) => this.#setStops(engine), true);
   }
 
-  async #setStops(engine: Engine): Promise<void> {
-    const wished = this.breakpoints.value;
-    const lines = await accepted(engine, wished);
-    // Others have been wished for meanwhile.
-    if (this.breakpoints.value === wished) this.breakpoints.value = lines;
+  /** Replaces the breakpoints of what will be loaded next. */
+  wishStops(breakpoints: readonly number[]): void {
+    changeSession({ breakpoints });
   }
 
-  /** What is loaded. */
-  get project(): Project | undefined {
-    return this.#project;
+  async #setStops(engine: Engine): Promise<void> {
+    const wished = session.breakpoints.value;
+    const lines = await accepted(engine, wished);
+    // Others have been wished for meanwhile.
+    if (session.breakpoints.value === wished) changeSession({ breakpoints: lines });
+  }
+
+  #changeHistory(): void {
+    changeSession({ history: session.history.peek() + 1 });
   }
 
   // --- Walks -------------------------------------------------------------------------------------
@@ -190,7 +212,7 @@ export class Bench {
   run(): Promise<void> {
     const control = new AbortController();
     const done = this.#walking(async (engine, signal) => {
-      this.notice.value = { kind: "running" };
+      changeSession({ notice: { kind: "running" } });
       let last = performance.now();
       while (!signal.aborted) {
         await nextFrame();
@@ -199,11 +221,11 @@ export class Bench {
         const passed = Math.min(now - last, 100);
         last = now;
         const result =
-          speed.value === Infinity
+          settings.speed.value === Infinity
             ? await this.#fast(engine)
             : await engine.forward(
-                { goal: "time", ms: Math.max(passed * speed.value, 0.05) },
-                slice,
+                { goal: "time", ms: Math.max(passed * settings.speed.value, 0.05) },
+                stepsOfRun,
               );
         const stop = await this.#endOf(engine, result);
         if (stop) {
@@ -212,7 +234,7 @@ export class Bench {
         }
         await this.#show(result.state);
       }
-      this.notice.value = { kind: "ready" };
+      changeSession({ notice: { kind: "ready" } });
     }, control);
     this.#run = control;
     return done;
@@ -222,8 +244,8 @@ export class Bench {
   async #fast(engine: Engine): Promise<WalkResult> {
     const begin = performance.now();
     for (;;) {
-      const over = this.state.value?.over !== undefined;
-      const result = await engine.forward({ goal: over ? "rest" : "stop" }, slice);
+      const over = present.state.value?.over !== undefined;
+      const result = await engine.forward({ goal: over ? "rest" : "stop" }, stepsOfRun);
       if (result.stop.reason !== "budget" || performance.now() - begin > 60) return result;
     }
   }
@@ -287,7 +309,7 @@ export class Bench {
   /** Lets a thread execute the next statement, whatever the schedule says. */
   stepThread(thread: number): Promise<void> {
     return this.#walking(async (engine) => {
-      this.history.value++;
+      this.#changeHistory();
       await this.#arrived(await engine.stepThread(thread));
     });
   }
@@ -303,7 +325,7 @@ export class Bench {
   #changing(change: (engine: Engine) => Promise<State>): Promise<void> {
     // A change while the card runs does not stop it.
     return this.#then(async (engine) => {
-      this.history.value++;
+      this.#changeHistory();
       await this.#show(await change(engine));
     }, true);
   }
@@ -316,15 +338,15 @@ export class Bench {
     control = new AbortController(),
   ): Promise<void> {
     return this.#then(async (engine) => {
-      if (!this.loaded) return;
+      if (!present.state.peek()) return;
       this.#walk = control;
       this.#overSince = undefined;
-      this.running.value = true;
+      changeSession({ running: true });
       try {
         await walk(engine, control.signal);
       } finally {
         if (this.#walk === control) this.#walk = undefined;
-        this.running.value = false;
+        changeSession({ running: false });
       }
     });
   }
@@ -338,7 +360,7 @@ export class Bench {
         await work(await this.engine());
       } catch (error) {
         if (error instanceof RefusedError) {
-          this.notice.value = { kind: "refused", message: error.message };
+          changeSession({ notice: { kind: "refused", message: error.message } });
         }
       }
     });
@@ -362,16 +384,20 @@ export class Bench {
       ...pages.map((page) => engine.variables(page)),
     ]);
     batch(() => {
-      if (state.head < this.#head) this.history.value++;
+      if (state.head < this.#head) this.#changeHistory();
       this.#head = state.head;
-      this.state.value = state;
-      this.card.value = card;
-      this.globals.value = globals;
-      this.locals.value = new Map(pages.map((page, index) => [page, locals[index] ?? []]));
-      if (notice) this.notice.value = notice;
+      changePresent({
+        state,
+        card,
+        globals,
+        locals: new Map(pages.map((page, index) => [page, locals[index] ?? []])),
+      });
+      if (notice) changeSession({ notice });
     });
   }
 }
+
+export const bench = new Bench();
 
 /** The lines of breakpoints that the engine has set. Behind the last statement there is none. */
 async function accepted(engine: Engine, wished: readonly number[]): Promise<number[]> {

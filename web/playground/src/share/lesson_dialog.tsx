@@ -4,11 +4,12 @@ import { useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
 import { keep, kept } from "../store/keep.js";
-import { language } from "../store/settings.js";
+import { settings } from "../store/settings.js";
+import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { lesson, linkOfLesson, project } from "../workspace.js";
 import { CopyableLink } from "./copyable_link.js";
 import { type Draft, lessonOf, readDraft } from "./draft.js";
+import { linkOfLesson } from "./project_link.js";
 
 export function LessonDialog({ onClose }: { onClose: () => void }) {
   const { teach: t, lessons } = texts.value;
@@ -18,8 +19,9 @@ export function LessonDialog({ onClose }: { onClose: () => void }) {
     setDraft(next);
     keep("draft", next);
   };
-  const { main, files = {}, structured } = project.value;
-  const start = { files, main, program: lesson.value.program, structured };
+  const { main, files = {}, structured } = source.project.value;
+  const start = { files, main, program: source.lesson.value.program, structured };
+  const { language } = settings;
   const parsed = lessonOf(draft, start, language.value);
   return (
     <Dialog title={t.title} onClose={onClose}>

@@ -4,8 +4,8 @@ import { useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
 import { texts } from "../texts/texts.js";
-import { shareLink } from "../workspace.js";
 import { CopyableLink } from "./copyable_link.js";
+import { shareLink } from "./project_link.js";
 
 export function ShareDialog({ onClose }: { onClose: () => void }) {
   const { share: t } = texts.value;

@@ -2,10 +2,11 @@
 // on, and says that nothing is kept.
 // Tested by test/keep.test.ts.
 
-import { signal } from "@preact/signals";
+import { slice } from "./slice.js";
 
+const [{ keeps }, change] = slice({ keeps: true });
 /** False as soon as something could not be kept. */
-export const keeps = signal(true);
+export { keeps };
 
 const prefix = "oncard.";
 
@@ -22,8 +23,8 @@ export function kept(key: string): unknown {
 export function keep(key: string, value: unknown): void {
   try {
     localStorage.setItem(prefix + key, JSON.stringify(value));
-    keeps.value = true;
+    change({ keeps: true });
   } catch {
-    keeps.value = false;
+    change({ keeps: false });
   }
 }

@@ -1,42 +1,91 @@
 // The reader's choices, kept in this browser: language, colours, speed.
+// Tested by test/settings.test.ts.
 
-import { effect, signal } from "@preact/signals";
 import { type Language, languageOf } from "@oncard/engine";
+import { effect, signal } from "@preact/signals";
 
 import { keep, kept } from "./keep.js";
 import { isKeptSettings, type KeptSettings } from "./kept_schema.js";
 import { salvaged } from "./salvaged.js";
+import { slice } from "./slice.js";
 
-export type Theme = NonNullable<KeptSettings["theme"]>;
+export const themes = ["system", "light", "dark"] as const;
+export type Theme = (typeof themes)[number];
 /** The last one: as fast as it gets. */
 export const speeds = [0.1, 1, 10, Infinity];
 
-const before = salvaged(isKeptSettings, kept("settings")) ?? {};
+interface Settings {
+  language: Language;
+  theme: Theme;
+  /** Times of the card for one of the reader's. */
+  speed: number;
+}
 
-export const language = signal<Language>(before.language ?? languageOf(navigator.language));
-export const theme = signal<Theme>(before.theme ?? "system");
-/** Times of the card for one of the reader's; JSON knows no Infinity, so that is kept as 0. */
-export const speed = signal<number>(
-  before.speed === 0 ? Infinity : (speeds.find((each) => each === before.speed) ?? 1),
-);
+const [settings, change] = slice<Settings>({ language: "en", theme: "system", speed: 1 });
+export { settings };
 
-const systemIsDark = matchMedia("(prefers-color-scheme: dark)");
-const dark = signal(systemIsDark.matches);
-systemIsDark.addEventListener("change", ({ matches }) => {
-  dark.value = matches;
-});
+export function chooseLanguage(language: Language): void {
+  change({ language });
+}
+
+export function chooseTheme(theme: Theme): void {
+  change({ theme });
+}
+
+export function chooseSpeed(speed: number): void {
+  change({ speed });
+}
+
+/** Faster or slower by so many steps, as far as there are any. */
+export function changeSpeed(by: number): void {
+  const now = settings.speed.peek();
+  change({ speed: speeds[speeds.indexOf(now) + by] ?? now });
+}
+
+// --- Keeping -------------------------------------------------------------------------------------
+
+/** JSON knows no Infinity, so that is kept as 0. */
+function speedOf(stored: number | undefined): number {
+  return stored === 0 ? Infinity : (speeds.find((each) => each === stored) ?? 1);
+}
+
+/**
+ * Takes the settings that were kept, and keeps what is chosen from now on.
+ * @param browserLanguage if none was chosen
+ */
+export function keepSettings(browserLanguage: string): void {
+  const before: KeptSettings = salvaged(isKeptSettings, kept("settings")) ?? {};
+  change({
+    language: before.language ?? languageOf(browserLanguage),
+    theme: before.theme ?? "system",
+    speed: speedOf(before.speed),
+  });
+  effect(() => {
+    const { language, theme, speed } = settings;
+    const speedKept = speed.value === Infinity ? 0 : speed.value;
+    keep("settings", { language: language.value, theme: theme.value, speed: speedKept });
+  });
+}
+
+// --- The document --------------------------------------------------------------------------------
+
+const systemIsDark = signal(false);
 
 /** The colours that are shown. */
 export function isDark(): boolean {
-  return theme.value === "system" ? dark.value : theme.value === "dark";
+  const { theme } = settings;
+  return theme.value === "system" ? systemIsDark.value : theme.value === "dark";
 }
 
-/** Keeps the settings, and applies them to the document. */
+/** Applies the settings to the document. */
 export function applySettings(): void {
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  systemIsDark.value = system.matches;
+  system.addEventListener("change", ({ matches }) => {
+    systemIsDark.value = matches;
+  });
   effect(() => {
-    const speedKept = speed.value === Infinity ? 0 : speed.value;
-    keep("settings", { language: language.value, theme: theme.value, speed: speedKept });
-    document.documentElement.lang = language.value === "zh" ? "zh-CN" : "en";
+    document.documentElement.lang = settings.language.value === "zh" ? "zh-CN" : "en";
     document.documentElement.dataset["theme"] = isDark() ? "dark" : "light";
   });
 }

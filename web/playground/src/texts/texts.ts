@@ -2,11 +2,11 @@
 
 import { computed } from "@preact/signals";
 
-import { language } from "../store/settings.js";
+import { settings } from "../store/settings.js";
 import { en } from "./en.js";
 import { zh } from "./zh.js";
 
-export const texts = computed(() => (language.value === "zh" ? zh : en));
+export const texts = computed(() => (settings.language.value === "zh" ? zh : en));
 
 /** At most this many digits after the point, without zeros at the end. */
 export function number(value: number, digits = 3): string {

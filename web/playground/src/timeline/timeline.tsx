@@ -6,8 +6,8 @@ import { effect, signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
+import { bench, present, session } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { bench } from "../workspace.js";
 import {
   type Bar,
   barsOf,
@@ -30,7 +30,7 @@ const mostSpans = 20_000;
 const span = signal<Span | undefined>(undefined);
 
 effect(() => {
-  const { value: state } = bench.state;
+  const { value: state } = present.state;
   const now = span.peek();
   if (!state || !now) return;
   span.value = following(now, state.moment, state.head);
@@ -38,7 +38,7 @@ effect(() => {
 
 export function TimelinePanel() {
   const { timeline: t } = texts.value;
-  const { value: state } = bench.state;
+  const { value: state } = present.state;
   if (!state) return <p class="muted empty">{t.none}</p>;
   const shown = span.value ?? wholeRun(state.head);
   return (
@@ -73,7 +73,7 @@ function Zoom(props: { shown: Span; factor: number; label: string; text: string 
       aria-label={label}
       title={label}
       onClick={() => {
-        const { moment = 0, head = 0 } = bench.state.value ?? {};
+        const { moment = 0, head = 0 } = present.state.value ?? {};
         span.value = zoomed(shown, factor, moment, head);
       }}
     >
@@ -85,10 +85,10 @@ function Zoom(props: { shown: Span; factor: number; label: string; text: string 
 function Rows({ span: shown }: { span: Span }) {
   const { timeline: t } = texts.value;
   const track = useRef<HTMLDivElement>(null);
-  const state = bench.state.value;
+  const state = present.state.value;
   const head = state?.head ?? 0;
   const moment = state?.moment ?? 0;
-  const key = `${shown.from} ${shown.to} ${head} ${bench.history.value}`;
+  const key = `${shown.from} ${shown.to} ${head} ${session.history.value}`;
   const nothing = { bars: [], marks: [], isCut: false };
   const { bars, marks, isCut } =
     useAsked(
@@ -107,7 +107,7 @@ function Rows({ span: shown }: { span: Span }) {
           isCut: isLong || spans.length === mostSpans,
         };
       },
-      bench.running.value,
+      session.running.value,
     ) ?? nothing;
   const atCursor = (moment - shown.from) / (shown.to - shown.from);
   const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));

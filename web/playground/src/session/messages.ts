@@ -1,0 +1,71 @@
+// What the compiler says of the source, whenever that has changed.
+
+import type { Diagnostic } from "@oncard/engine";
+import { effect, untracked } from "@preact/signals";
+
+import { settings } from "../store/settings.js";
+import { slice } from "../store/slice.js";
+import { source } from "../store/source.js";
+import { bench, present } from "./bench.js";
+import { isEdited, load } from "./on_card.js";
+
+interface Messages {
+  diagnostics: Diagnostic[];
+  /** Why the project could not be checked, for example a mistake in the scenario. */
+  complaint: string;
+}
+
+const [messages, change] = slice<Messages>({ diagnostics: [], complaint: "" });
+export { messages };
+
+/** So long, in ms, after the last edit the texts are checked. */
+const pause = 150;
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+/** Checks the texts. What is opened is loaded, and what is edited before the card has begun. */
+async function checkNow(isOpening = false): Promise<void> {
+  clearTimeout(timer);
+  const checked = source.project.peek();
+  try {
+    const { diagnostics } = await bench.check(checked);
+    if (checked !== source.project.peek()) return;
+    change({ diagnostics, complaint: "" });
+    const state = present.state.peek();
+    const isLoaded = state !== undefined && !isEdited.peek();
+    if (!isLoaded && (isOpening || !state || state.moment === 0)) await load();
+  } catch (error) {
+    if (checked !== source.project.peek()) return;
+    const complaint = error instanceof Error ? error.message : String(error);
+    change({ diagnostics: [], complaint });
+  }
+}
+
+/** What is opened is checked at once, what is edited after a pause. */
+export function followSource(): void {
+  let opened: number | undefined;
+  effect(() => {
+    source.project.value; // eslint-disable-line @typescript-eslint/no-unused-expressions
+    const isOpening = source.opened.value !== opened;
+    opened = source.opened.value;
+    untracked(() => {
+      clearTimeout(timer);
+      if (isOpening) {
+        bench.wishStops([]);
+        void checkNow(true);
+      } else {
+        timer = setTimeout(() => void checkNow(), pause);
+      }
+    });
+  });
+}
+
+/** Says everything again in the language that is chosen. */
+export function followLanguage(): void {
+  let spoken = settings.language.peek();
+  effect(() => {
+    const { value } = settings.language;
+    if (value === spoken) return;
+    spoken = value;
+    void bench.speak().then(() => checkNow());
+  });
+}

@@ -1,0 +1,38 @@
+// What of the source is on the card, and how it gets there.
+
+import type { Description } from "@oncard/engine";
+import { computed } from "@preact/signals";
+
+import { source } from "../store/source.js";
+import { bench, present, session } from "./bench.js";
+
+/** The texts are others than those that were put onto the card. */
+export const isEdited = computed(() => session.project.value !== source.project.value);
+
+/** Puts the texts as they are now onto the card. */
+export function load(): Promise<boolean> {
+  return bench.load(source.project.peek());
+}
+
+/** What is edited is loaded before anything runs. */
+export async function ready(): Promise<boolean> {
+  if (isEdited.peek() || !present.state.peek()) return load();
+  return true;
+}
+
+/** Sets a breakpoint at a line of the program, or removes it. */
+export function toggleBreakpoint(line: number): void {
+  const before = session.breakpoints.peek();
+  const next = before.includes(line)
+    ? before.filter((each) => each !== line)
+    : [...before, line].sort((a, b) => a - b);
+  // What was edited has other lines; it is loaded with its breakpoints.
+  if (isEdited.peek() || !present.state.peek()) bench.wishStops(next);
+  else void bench.stopAt(next);
+}
+
+/** What is at a place of the open file. */
+export async function describe(line: number, column: number): Promise<Description | null> {
+  const engine = await bench.engine();
+  return engine.describe({ ...source.project.peek(), file: source.file.peek(), line, column });
+}

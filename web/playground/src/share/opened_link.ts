@@ -1,0 +1,48 @@
+// The link with which the page was opened, and what it opens.
+
+import { addLinked, lessonNamed, lessons } from "../store/lessons.js";
+import { ownProgram } from "../store/own_program.js";
+import { chooseLanguage } from "../store/settings.js";
+import { slice } from "../store/slice.js";
+import { lastLesson, openLesson, openLessonWith } from "../store/source.js";
+import { type ReadLink, readLink, type Shared } from "./link.js";
+
+const [openedLink, change] = slice<{ link: ReadLink }>({ link: { kind: "none" } });
+export { openedLink };
+
+export function forgetLink(): void {
+  change({ link: { kind: "none" } });
+}
+
+/** Opens what the address of the page says; without a link the last lesson. */
+export function openFirst(): void {
+  const link = takeLink();
+  if (link.kind === "shared") return;
+  const id = link.kind === "lesson" ? link.id : lastLesson();
+  openLesson(lessonNamed(id) ?? lessons.offered.peek()[0] ?? ownProgram);
+}
+
+/** Opens the link that has come into the address, if there is one. */
+export function openNext(): void {
+  const link = takeLink();
+  const lesson = link.kind === "lesson" ? lessonNamed(link.id) : undefined;
+  if (lesson) openLesson(lesson);
+}
+
+/** Reads the link of the address, which shall not bring a program again that was changed meanwhile. */
+function takeLink(): ReadLink {
+  const link = readLink(location.hash);
+  if (link.kind === "none") return link;
+  change({ link });
+  if (link.kind === "shared") openShared(link.shared);
+  history.replaceState(null, "", location.pathname + location.search);
+  return link;
+}
+
+function openShared({ own, lesson, files, program, main, language }: Shared): void {
+  if (language) chooseLanguage(language);
+  if (own) addLinked(own);
+  const known = own ?? lessonNamed(lesson) ?? ownProgram;
+  const fits = Object.hasOwn(files, known.program) && Object.hasOwn(files, known.main);
+  openLessonWith(fits ? known : { ...ownProgram, program, main }, files);
+}

@@ -1,0 +1,55 @@
+// What of the page the reader looks at: the panel in front, the tab of the values, the chosen line.
+// Tested by test/layout.test.ts.
+
+import { slice } from "./slice.js";
+
+export const panels = ["lesson", "program", "machine", "timeline", "scope", "values"] as const;
+export type Panel = (typeof panels)[number];
+
+export const tabs = ["variables", "threads", "listing", "warnings"] as const;
+export type Tab = (typeof tabs)[number];
+
+interface Layout {
+  /** The only panel that narrow screens show. */
+  front: Panel;
+  /** Of the values. */
+  tab: Tab;
+  /** The line of the program that the reader has chosen, in the editor or among the statements. */
+  chosenLine: number;
+  /** A line that the editor is to show; another object with each wish. */
+  wishedLine: { line: number } | undefined;
+  /** Grows with each wish to go on in the list of values with the keyboard. */
+  listWishes: number;
+}
+
+const [layout, change] = slice<Layout>({
+  front: "lesson",
+  tab: "variables",
+  chosenLine: 0,
+  wishedLine: undefined,
+  listWishes: 0,
+});
+export { layout };
+
+export function showPanel(front: Panel): void {
+  change({ front });
+}
+
+export function showTab(tab: Tab): void {
+  change({ tab });
+}
+
+/** The cursor of the editor is in another line of the program. */
+export function chooseLine(line: number): void {
+  change({ chosenLine: line });
+}
+
+/** Shows a line of the program in the editor. */
+export function showLine(line: number): void {
+  change({ front: "program", chosenLine: line, wishedLine: { line } });
+}
+
+/** Shows the warnings of the card, and leads the keyboard to them. */
+export function showWarnings(): void {
+  change({ front: "values", tab: "warnings", listWishes: layout.listWishes.peek() + 1 });
+}

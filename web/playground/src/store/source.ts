@@ -1,0 +1,116 @@
+// What the reader works on: the open lesson or a program of their own, and its texts. Every edit is
+// kept at once.
+// Tested by test/source.test.ts.
+
+import type { Project } from "@oncard/engine";
+import type { Lesson } from "@oncard/lessons";
+import { computed } from "@preact/signals";
+
+import { keep, kept } from "./keep.js";
+import { ownProgram } from "./own_program.js";
+import {
+  type Files,
+  openFiles,
+  readShelf,
+  type Shelf,
+  withoutOpen,
+  withProgram,
+  withText,
+} from "./shelf.js";
+import { slice } from "./slice.js";
+
+interface Source {
+  lesson: Lesson;
+  shelf: Shelf;
+  /** The file in the editor. */
+  file: string;
+  /** Grows when the editor must show other texts than those typed into it. */
+  opened: number;
+}
+
+const [state, change] = slice<Source>({
+  lesson: ownProgram,
+  shelf: { open: 0, programs: [ownProgram.files] },
+  file: ownProgram.program,
+  opened: 0,
+});
+
+const files = computed(() => openFiles(state.shelf.value));
+
+export const source = {
+  ...state,
+  /** The texts of the open program. */
+  files,
+  /** What is compiled and run; another object after each change. */
+  project: computed<Project>(() => ({
+    main: state.lesson.value.main,
+    files: files.value,
+    structured: state.lesson.value.structured ?? false,
+  })),
+};
+
+function shelfOf({ id, files: start }: Lesson): Shelf {
+  return readShelf(kept(`shelf.${id}`)) ?? { open: 0, programs: [start] };
+}
+
+function show(lesson: Lesson, shelf: Shelf, file: string): void {
+  keep(`shelf.${lesson.id}`, shelf);
+  const isThere = Object.hasOwn(openFiles(shelf), file);
+  change({
+    lesson,
+    shelf,
+    file: isThere ? file : lesson.program,
+    opened: source.opened.peek() + 1,
+  });
+}
+
+function showShelf(shelf: Shelf): void {
+  show(source.lesson.peek(), shelf, source.file.peek());
+}
+
+/** The lesson that was open when the page was left. */
+export function lastLesson(): unknown {
+  return kept("lesson");
+}
+
+export function openLesson(lesson: Lesson): void {
+  keep("lesson", lesson.id);
+  show(lesson, shelfOf(lesson), lesson.program);
+}
+
+/** Opens a lesson with a program of somebody else's. The programs that are there stay. */
+export function openLessonWith(lesson: Lesson, program: Files): void {
+  keep("lesson", lesson.id);
+  show(lesson, withProgram(shelfOf(lesson), program), lesson.program);
+}
+
+/** Opens another program of this lesson. */
+export function openProgram(index: number): void {
+  showShelf({ ...source.shelf.peek(), open: index });
+}
+
+export function copyProgram(): void {
+  const { programs } = source.shelf.peek();
+  showShelf({ open: programs.length, programs: [...programs, { ...files.peek() }] });
+}
+
+export function removeProgram(): void {
+  showShelf(withoutOpen(source.shelf.peek()));
+}
+
+/** The lesson's start becomes the open program; what was written stays on the shelf. */
+export function resetProgram(): void {
+  showShelf(withProgram(source.shelf.peek(), source.lesson.peek().files));
+}
+
+export function showFile(file: string): void {
+  change({ file });
+}
+
+/** The reader has edited a text. */
+export function edit(name: string, text: string): void {
+  if (files.peek()[name] === text) return;
+  const shelf = withText(source.shelf.peek(), name, text);
+  change({ shelf });
+  keep(`shelf.${source.lesson.peek().id}`, shelf);
+}

@@ -1,0 +1,35 @@
+import { expect, test } from "vitest";
+
+import { chooseLine, layout, showLine, showPanel, showWarnings } from "../src/store/layout.js";
+
+test("a line that is shown is chosen, and brings the program to the front", () => {
+  showPanel("machine");
+  showLine(7);
+  expect(layout.front.value).toBe("program");
+  expect(layout.chosenLine.value).toBe(7);
+  expect(layout.wishedLine.value).toEqual({ line: 7 });
+});
+
+test("the same line can be wished for again", () => {
+  showLine(7);
+  const before = layout.wishedLine.value;
+  showLine(7);
+  expect(layout.wishedLine.value).not.toBe(before);
+});
+
+test("the cursor chooses its line without a wish", () => {
+  showLine(7);
+  const before = layout.wishedLine.value;
+  showPanel("values");
+  chooseLine(3);
+  expect(layout.chosenLine.value).toBe(3);
+  expect(layout.wishedLine.value).toBe(before);
+  expect(layout.front.value).toBe("values");
+});
+
+test("the warnings are shown with the keyboard in their list", () => {
+  const before = layout.listWishes.value;
+  showWarnings();
+  expect([layout.front.value, layout.tab.value]).toEqual(["values", "warnings"]);
+  expect(layout.listWishes.value).toBe(before + 1);
+});

@@ -1,0 +1,123 @@
+import { effect } from "@preact/signals";
+import { afterEach, expect, test, vi } from "vitest";
+
+import { ownProgram } from "../src/store/own_program.js";
+import {
+  copyProgram,
+  edit,
+  lastLesson,
+  openLesson,
+  openLessonWith,
+  openProgram,
+  removeProgram,
+  resetProgram,
+  showFile,
+  source,
+} from "../src/store/source.js";
+import { stubStorage } from "./storage.js";
+
+const lesson = {
+  ...ownProgram,
+  id: "first",
+  files: { "a.c": "start", "a.toml": "task" },
+  program: "a.c",
+  main: "a.toml",
+};
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+test("a lesson is opened with its start, and is the last one", () => {
+  stubStorage();
+  openLesson(lesson);
+  expect(source.lesson.value).toBe(lesson);
+  expect(source.file.value).toBe("a.c");
+  expect(source.project.value).toEqual({ main: "a.toml", files: lesson.files, structured: false });
+  expect(lastLesson()).toBe("first");
+});
+
+test("an edit is in the project, and is kept for its lesson", () => {
+  const storage = stubStorage();
+  openLesson(lesson);
+  edit("a.c", "edited");
+  expect(source.project.value.files).toEqual({ "a.c": "edited", "a.toml": "task" });
+  openLesson(ownProgram);
+  openLesson(lesson);
+  expect(source.files.value["a.c"]).toBe("edited");
+  expect([...storage.keys()]).toContain("oncard.shelf.first");
+});
+
+test("the project is another object after an edit, and only then", () => {
+  stubStorage();
+  openLesson(lesson);
+  const before = source.project.value;
+  edit("a.c", "start");
+  showFile("a.toml");
+  expect(source.project.value).toBe(before);
+  edit("a.c", "edited");
+  expect(source.project.value).not.toBe(before);
+});
+
+test("what is typed is not shown anew, what is opened is", () => {
+  stubStorage();
+  openLesson(lesson);
+  const before = source.opened.value;
+  edit("a.c", "edited");
+  expect(source.opened.value).toBe(before);
+  resetProgram();
+  expect(source.opened.value).toBe(before + 1);
+});
+
+test("programs are added, opened and removed; a reset keeps what was written", () => {
+  stubStorage();
+  openLesson(lesson);
+  edit("a.c", "mine");
+  copyProgram();
+  edit("a.c", "copy");
+  resetProgram();
+  expect(source.shelf.value.programs.map((files) => files["a.c"])).toEqual([
+    ...["mine", "copy", "start"],
+  ]);
+  openProgram(1);
+  expect(source.files.value["a.c"]).toBe("copy");
+  removeProgram();
+  expect(source.files.value["a.c"]).toBe("mine");
+  expect(source.shelf.value.programs).toHaveLength(2);
+});
+
+test("a program of somebody else's stands beside what is there", () => {
+  stubStorage({ "shelf.first": { open: 0, programs: [{ "a.c": "mine", "a.toml": "task" }] } });
+  openLessonWith(lesson, { "a.c": "theirs", "a.toml": "task" });
+  expect(source.shelf.value).toEqual({
+    open: 1,
+    programs: [
+      { "a.c": "mine", "a.toml": "task" },
+      { "a.c": "theirs", "a.toml": "task" },
+    ],
+  });
+});
+
+test("a file that the opened program lacks is not shown", () => {
+  stubStorage();
+  openLesson(lesson);
+  showFile("a.toml");
+  openProgram(0);
+  expect(source.file.value).toBe("a.toml");
+  openLessonWith(lesson, { "a.c": "theirs" });
+  showFile("a.toml");
+  openProgram(1);
+  expect(source.file.value).toBe("a.c");
+});
+
+test("whoever follows a lesson and its files sees both at once", () => {
+  stubStorage();
+  openLesson(ownProgram);
+  const seen: boolean[] = [];
+  const stop = effect(() => {
+    seen.push(Object.hasOwn(source.files.value, source.lesson.value.program));
+  });
+  openLesson(lesson);
+  stop();
+  expect(seen).toEqual([true, true]);
+});
