@@ -128,6 +128,25 @@ for (const width of [1000, 1280, 1440]) {
   });
 }
 
+for (const width of [390, 1024, 1280, 1440]) {
+  test(`the knobs of the scope are above its screen at ${width} pixels`, async ({ page }) => {
+    await open(page);
+    await openOwn(page);
+    await page.setViewportSize({ width, height: 720 });
+    if (width < 760) {
+      await page.getByRole("navigation").getByRole("button", { name: "Scope" }).click();
+    }
+    await page.getByLabel("Sweep").selectOption("single");
+    const arm = await page.getByRole("button", { name: "Arm" }).boundingBox();
+    const saved = await page.getByRole("button", { name: "PNG" }).boundingBox();
+    const screen = await page.locator(".screen").boundingBox();
+    if (!arm || !saved || !screen) throw new Error("a part of the scope is missing");
+    expect(screen.y).toBeGreaterThanOrEqual(arm.y + arm.height);
+    expect(screen.y).toBeGreaterThanOrEqual(saved.y + saved.height);
+    expect(screen.height).toBeGreaterThanOrEqual(140);
+  });
+}
+
 for (const width of [360, 390]) {
   test(`a phone of ${width} pixels shows one panel at a time`, async ({ page }) => {
     await page.setViewportSize({ width, height: 780 });
