@@ -46,6 +46,53 @@ test("a wrong program is mended, runs, is measured and stepped back", async ({ p
   await expect(page.locator(".cm-next")).toHaveCount(0); // the thread has ended again
 });
 
+test("what is not finished leaves the last card in sight, and is loaded when it compiles", async ({
+  page,
+}) => {
+  await open(page);
+  await openOwn(page);
+  const outdated = page.locator(".panel.outdated");
+  const axis = page.locator('output[data-axis="1"]');
+  const cursor = page.getByRole("slider", { name: "Moment of the session" });
+  await write(page, "int x;\nint main()\n{\n  x =\n}\n");
+  await expect(page.locator(".problem")).not.toHaveCount(0);
+  await expect(outdated).toHaveCount(4);
+  await expect(axis).toHaveText("0 pulse");
+  await expect(page.locator(".values-panel")).toContainText("trap.acc");
+  await expect(cursor).toBeVisible();
+  // It cannot run, and is not taken for what is on the card.
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText(
+    "The program has errors; the one before is still on the card.",
+  );
+  await expect(outdated).toHaveCount(4);
+  await expect(page.locator(".values-panel")).toContainText("trap.acc");
+  await write(page, "int x;\nint main()\n{\n  x = 1;\n}\n");
+  await expect(outdated).toHaveCount(0);
+  await expect(page.locator(".values-panel")).not.toContainText("trap.acc");
+  await expect(status(page)).toHaveText("Card ready.");
+});
+
+for (const [file, wrong] of [
+  ["program.c", "int main()\n{\n"],
+  ["scenario.toml", "program = 7\n"],
+] as const) {
+  test(`another project with a wrong ${file} leaves nothing of the last card`, async ({ page }) => {
+    await open(page);
+    await openOwn(page);
+    await page.getByRole("button", { name: file }).click();
+    await write(page, wrong);
+    await expect(page.locator(".problem")).not.toHaveCount(0);
+    const axis = page.locator('output[data-axis="1"]');
+    const choice = page.getByLabel("Choose a lesson");
+    await choice.selectOption("assignment");
+    await expect(status(page)).toHaveText("Card ready.");
+    await expect(axis).toHaveCount(1);
+    await choice.selectOption("own");
+    await expect(axis).toHaveCount(0);
+  });
+}
+
 test("a message is mended and shown from another file", async ({ page }) => {
   await open(page);
   await openOwn(page);

@@ -9,6 +9,8 @@ import { LessonPanel } from "./lesson/lesson_panel.js";
 import { MachinePanel } from "./machine/machine.js";
 import { ValuesPanel } from "./panel/values.js";
 import { ScopePanel } from "./scope/scope.js";
+import { present } from "./session/bench.js";
+import { isEdited } from "./session/on_card.js";
 import { forgetLink, openedLink } from "./share/opened_link.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
@@ -16,10 +18,14 @@ import { settings } from "./store/settings.js";
 import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
 
+/** These show the card. */
+const ofCard: readonly Panel[] = ["values", "machine", "timeline", "scope"];
+
 function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
+  const isOutdated = ofCard.includes(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
-      class={`panel ${layout.front.value === name ? "front" : ""}`}
+      class={`panel ${layout.front.value === name ? "front" : ""} ${isOutdated ? "outdated" : ""}`}
       aria-labelledby={`panel-${name}`}
       id={name}
     >

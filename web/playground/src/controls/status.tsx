@@ -56,7 +56,7 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
     case "stopped":
       return stopText(all, notice.stop);
     case "not-compiled":
-      return [t.notCompiled, "bad"];
+      return [present.state.value ? t.keptBefore : t.notCompiled, "bad"];
     case "refused":
       return [notice.message, "bad"];
     case "engine-ended":

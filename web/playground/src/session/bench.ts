@@ -40,7 +40,7 @@ const longestAfterEnd = 60_000;
 interface Session {
   notice: Notice;
   running: boolean;
-  /** What was put onto the card last, whether it compiles or not. */
+  /** What is on the card, or should be there soon. */
   project: Project | undefined;
   listing: ListedFunction[];
   /** Lines of the program before which a run stops, in their order. */
@@ -70,6 +70,17 @@ const [session, changeSession] = slice<Session>({
 });
 const [present, changePresent] = slice<Present>(nothing);
 export { present, session };
+
+interface Loading {
+  /** What the reader works on. */
+  project: Project;
+  /** The project with a recording of it. */
+  loaded?: Project;
+  /** What stays on the card if the project does not compile. */
+  before?: Project | undefined;
+  /** What comes before any walk, even one that was asked for meanwhile. */
+  prepare?: (engine: Engine) => Promise<void>;
+}
 
 class Bench {
   #engine: Promise<Engine> | undefined;
@@ -130,41 +141,42 @@ class Bench {
   // --- Loading -----------------------------------------------------------------------------------
 
   /**
-   * Loads a project with the breakpoints; the card is then before its first step. True if it
-   * compiles.
+   * Loads another project with the breakpoints; the card is then before its first step. True if it
+   * compiles; otherwise nothing is on the card.
    */
   load(project: Project): Promise<boolean> {
-    return this.#load(project, project, (engine) => this.#setStops(engine));
+    return this.#load({ project, prepare: (engine) => this.#setStops(engine) });
   }
 
-  /**
-   * @param project what the reader works on
-   * @param loaded the project, perhaps with a recording of it
-   * @param prepare what comes before any walk, even one that was asked for meanwhile
-   */
-  async #load(
-    project: Project,
-    loaded: Project,
-    prepare: (engine: Engine) => Promise<void> = () => Promise.resolve(),
-  ): Promise<boolean> {
+  /** The same after an edit; if that does not compile, what was there before stays on the card. */
+  loadEdited(project: Project): Promise<boolean> {
+    const before = present.state.peek() && session.project.peek();
+    return this.#load({ project, before, prepare: (engine) => this.#setStops(engine) });
+  }
+
+  async #load({ project, loaded = project, before, prepare }: Loading): Promise<boolean> {
     changeSession({ project });
+    const refuse = (notice: Notice) => {
+      if (before) changeSession({ notice, project: before });
+      else this.#clear(notice);
+    };
     let compiled = false;
     await this.#then(async (engine) => {
-      this.#head = 0;
       try {
         const answer = await engine.load(loaded);
         compiled = answer.compiled;
         if (!answer.compiled) {
-          this.#clear({ kind: "not-compiled" });
+          refuse({ kind: "not-compiled" });
           return;
         }
+        this.#head = 0;
         changeSession({ listing: await engine.listing() });
-        await prepare(engine);
+        await prepare?.(engine);
         this.#changeHistory();
         await this.#show(answer.state, { kind: "ready" });
       } catch (error) {
         if (!(error instanceof RefusedError)) throw error;
-        this.#clear({ kind: "refused", message: error.message });
+        refuse({ kind: "refused", message: error.message });
       }
     });
     return compiled;
@@ -174,7 +186,7 @@ class Bench {
   async loadRecording(project: Project, schedule: string): Promise<void> {
     const main = project.main.replace(/\.[^.]*$/, ".schedule");
     const files = { ...project.files, [main]: schedule };
-    if (!(await this.#load(project, { ...project, main, files }))) return;
+    if (!(await this.#load({ project, loaded: { ...project, main, files } }))) return;
     await this.#then(async (engine) => this.#arrived(await engine.walkForward({ goal: "stop" })));
     await this.stopAt(session.breakpoints.value);
   }

@@ -1,13 +1,13 @@
 // What the compiler says of the source, whenever that has changed.
 
-import type { Diagnostic } from "@oncard/engine";
+import { type Diagnostic, RefusedError } from "@oncard/engine";
 import { effect, untracked } from "@preact/signals";
 
 import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
 import { bench, present } from "./bench.js";
-import { isEdited, load } from "./on_card.js";
+import { isEdited } from "./on_card.js";
 
 interface Messages {
   diagnostics: Diagnostic[];
@@ -22,21 +22,27 @@ export { messages };
 const pause = 150;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
-/** Checks the texts. What is opened is loaded, and what is edited before the card has begun. */
+/**
+ * Checks the texts. What is opened is loaded, and what is edited before the card has begun, as soon
+ * as it compiles.
+ */
 async function checkNow(isOpening = false): Promise<void> {
   clearTimeout(timer);
   const checked = source.project.peek();
   try {
-    const { diagnostics } = await bench.check(checked);
+    const { compiled, diagnostics } = await bench.check(checked);
     if (checked !== source.project.peek()) return;
     change({ diagnostics, complaint: "" });
     const state = present.state.peek();
-    const isLoaded = state !== undefined && !isEdited.peek();
-    if (!isLoaded && (isOpening || !state || state.moment === 0)) await load();
+    if (state && !isEdited.peek()) return;
+    if (isOpening) await bench.load(checked);
+    else if (compiled && (!state || state.moment === 0)) await bench.loadEdited(checked);
   } catch (error) {
     if (checked !== source.project.peek()) return;
     const complaint = error instanceof Error ? error.message : String(error);
     change({ diagnostics: [], complaint });
+    // The card shall not go on with another program.
+    if (isOpening && error instanceof RefusedError) await bench.load(checked);
   }
 }
 

@@ -9,15 +9,10 @@ import { bench, present, session } from "./bench.js";
 /** The texts are others than those that were put onto the card. */
 export const isEdited = computed(() => session.project.value !== source.project.value);
 
-/** Puts the texts as they are now onto the card. */
-export function load(): Promise<boolean> {
-  return bench.load(source.project.peek());
-}
-
 /** What is edited is loaded before anything runs. */
 export async function ready(): Promise<boolean> {
-  if (isEdited.peek() || !present.state.peek()) return load();
-  return true;
+  if (!isEdited.peek() && present.state.peek()) return true;
+  return bench.loadEdited(source.project.peek());
 }
 
 /** Sets a breakpoint at a line of the program, or removes it. */

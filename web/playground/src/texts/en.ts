@@ -74,6 +74,7 @@ export const en = {
     budget: "Paused.",
     stoppedAt: "Stopped.",
     notCompiled: "The program has errors; nothing is on the card.",
+    keptBefore: "The program has errors; the one before is still on the card.",
     edited: "The program was edited: it is loaded anew when it runs.",
     follows: "A recording is being followed.",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),

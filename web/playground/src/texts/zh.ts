@@ -75,6 +75,7 @@ export const zh: Texts = {
     budget: "已暂停。",
     stoppedAt: "已停止。",
     notCompiled: "程序有错误，卡上没有程序。",
+    keptBefore: "程序有错误，卡上仍是之前的程序。",
     edited: "程序已修改，运行时会重新装载。",
     follows: "正在按录制运行。",
     warnings: (count) => `${count} 条警告`,
