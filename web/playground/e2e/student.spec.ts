@@ -93,6 +93,23 @@ for (const [file, wrong] of [
   });
 }
 
+test("a program that has ended runs again from its start", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await atMaximum(page);
+  const run = page.getByRole("button", { name: "Run", exact: true });
+  await run.click();
+  await expect(status(page)).toHaveText("Card: finished.");
+  const axis = page.locator('output[data-axis="1"]');
+  await expect(axis).toHaveText("50000 pulse");
+  await page.getByLabel("Speed").selectOption("0.1");
+  await run.click();
+  await expect(axis).not.toHaveText("50000 pulse");
+  await atMaximum(page);
+  await expect(status(page)).toHaveText("Card: finished.");
+  await expect(axis).toHaveText("50000 pulse");
+});
+
 test("a message is mended and shown from another file", async ({ page }) => {
   await open(page);
   await openOwn(page);

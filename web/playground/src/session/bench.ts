@@ -220,10 +220,13 @@ class Bench {
     this.#walk?.abort();
   }
 
-  /** Runs at the speed that the reader has chosen, until something stops it. */
+  /** Runs at the speed that the reader has chosen, until something stops it; after the end anew. */
   run(): Promise<void> {
     const control = new AbortController();
     const done = this.#walking(async (engine, signal) => {
+      const { value: before } = session.notice;
+      const hasEnded = before.kind === "stopped" && before.stop.reason === "end";
+      if (hasEnded) await this.#show(await engine.goTo({ moment: 0 }));
       changeSession({ notice: { kind: "running" } });
       let last = performance.now();
       while (!signal.aborted) {
