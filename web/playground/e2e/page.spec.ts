@@ -116,15 +116,28 @@ test("the colours can be chosen", async ({ page }) => {
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
 });
 
-for (const width of [1000, 1280, 1440]) {
-  test(`the buttons of the bar do not overlap at ${width} pixels`, async ({ page }) => {
-    await page.setViewportSize({ width, height: 800 });
+for (const locale of ["en-US", "zh-CN"]) {
+  test(`the parts of the bar do not overlap at any width, ${locale}`, async ({ browser }) => {
+    const page = await (await browser.newContext({ locale })).newPage();
     await open(page);
-    const explore = await page.getByRole("button", { name: "Explore" }).boundingBox();
-    const share = await page.getByRole("button", { name: "Share" }).boundingBox();
-    if (!explore || !share) throw new Error("a button is missing");
-    const beside = share.x >= explore.x + explore.width;
-    expect(beside || share.y >= explore.y + explore.height).toBe(true);
+    for (let width = 360; width <= 1660; width += 50) {
+      await page.setViewportSize({ width, height: 800 });
+      const overlapping = await page.locator(".toolbar").evaluate((bar) => {
+        const boxes = [...bar.querySelectorAll("h1, button, label")].map((part) => ({
+          text: part.textContent,
+          box: part.getBoundingClientRect(),
+        }));
+        return boxes.flatMap(({ text, box: a }, index) =>
+          boxes
+            .slice(index + 1)
+            .filter(({ box: b }) => a.left < b.right && b.left < a.right)
+            .filter(({ box: b }) => a.top < b.bottom && b.top < a.bottom)
+            .map((other) => `${text} and ${other.text}`),
+        );
+      });
+      expect(overlapping, `at ${width} pixels`).toEqual([]);
+    }
+    await page.context().close();
   });
 }
 
@@ -158,6 +171,8 @@ for (const width of [360, 390]) {
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       expect(wide, name).toBeLessThanOrEqual(0);
     }
+    const bar = await page.locator(".toolbar").boundingBox();
+    expect(bar?.height).toBeLessThan(130);
     await expectAccessible(page);
   });
 

@@ -81,7 +81,7 @@ export class Plot {
       height,
       legend: { show: false },
       cursor: { show: false },
-      padding: [6, 24, 0, 0],
+      padding: [6, 24, 0, 16], // room for the halves of the first and the last time
       scales: { x: { time: false }, y: { auto: false, range: [-divisions, divisions] } },
       axes: [
         { ...axis, size: 24 },
