@@ -57,6 +57,7 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
       return stopText(all, notice.stop);
     case "not-compiled":
       return [present.state.value ? t.keptBefore : t.notCompiled, "bad"];
+    case "not-loaded":
     case "refused":
       return [notice.message, "bad"];
     case "engine-ended":

@@ -26,6 +26,7 @@ export type Notice =
   | { kind: "running" }
   | { kind: "stopped"; stop: Stop }
   | { kind: "not-compiled" }
+  | { kind: "not-loaded"; message: string }
   | { kind: "refused"; message: string }
   | { kind: "engine-ended"; message: string }
   | { kind: "no-engine"; message: string };
@@ -176,7 +177,7 @@ class Bench {
         await this.#show(answer.state, { kind: "ready" });
       } catch (error) {
         if (!(error instanceof RefusedError)) throw error;
-        refuse({ kind: "refused", message: error.message });
+        refuse({ kind: "not-loaded", message: error.message });
       }
     });
     return compiled;

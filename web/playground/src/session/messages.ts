@@ -6,7 +6,7 @@ import { effect, untracked } from "@preact/signals";
 import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
-import { bench, present } from "./bench.js";
+import { bench, present, session } from "./bench.js";
 import { isEdited } from "./on_card.js";
 
 interface Messages {
@@ -22,10 +22,14 @@ export { messages };
 const pause = 150;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
-/**
- * Checks the texts. What is opened is loaded, and what is edited before the card has begun, as soon
- * as it compiles.
- */
+/** An edit is loaded before the card has begun, and when the reader has tried to run one. */
+function isWanted(): boolean {
+  const { kind } = session.notice.peek();
+  const { moment = 0 } = present.state.peek() ?? {};
+  return moment === 0 || kind === "not-compiled" || kind === "not-loaded";
+}
+
+/** Checks the texts. What is opened is loaded, and what is edited as soon as it compiles. */
 async function checkNow(isOpening = false): Promise<void> {
   clearTimeout(timer);
   const checked = source.project.peek();
@@ -33,10 +37,9 @@ async function checkNow(isOpening = false): Promise<void> {
     const { compiled, diagnostics } = await bench.check(checked);
     if (checked !== source.project.peek()) return;
     change({ diagnostics, complaint: "" });
-    const state = present.state.peek();
-    if (state && !isEdited.peek()) return;
+    if (present.state.peek() && !isEdited.peek()) return;
     if (isOpening) await bench.load(checked);
-    else if (compiled && (!state || state.moment === 0)) await bench.loadEdited(checked);
+    else if (compiled && isWanted()) await bench.loadEdited(checked);
   } catch (error) {
     if (checked !== source.project.peek()) return;
     const complaint = error instanceof Error ? error.message : String(error);
