@@ -49,8 +49,8 @@ struct Profile {
   }
   /// The position of the followed master has been changed by `shift` without motion.
   void ShiftMaster(double shift);
-  /// Decelerates to rest; a stop in progress is only replaced by a faster one. Does nothing at
-  /// rest.
+  /// Decelerates to rest; with an infinite deceleration it rests at once, in the same cycle. A stop
+  /// in progress is only replaced by a faster one. Does nothing at rest.
   void Stop(Micros instant, double deceleration);
   /// The output at `instant`, from the stop or from the mode's run.
   void Advance(Micros instant);

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "tests/motion/core_run.h"
+
 namespace oncard::motion {
 namespace {
 
@@ -106,6 +110,17 @@ TEST(MotionTick, SamplesInputsAndAdvancesTimedOutputs) {
   TickTimes(core, 2);
   EXPECT_EQ(core.state().io.Register(DoType::kGpo), 0u);
   EXPECT_EQ(core.state().io.Read(DiType::kGpi), 1u);
+}
+
+TEST(MotionTick, AStopAtALimitWithAnInfiniteDecelerationRestsInTheSameCycle) {
+  MotionCore core({.defaults = {.abrupt_stop = std::numeric_limits<double>::infinity()}});
+  Jog(core, 10);
+  core.state().axes[0].soft_positive = 1000;
+  while (core.axis(0).latched == 0) core.Tick();
+  EXPECT_EQ(core.profile(0).now.velocity, 0);
+  EXPECT_FALSE(core.profile(0).now.moving);
+  EXPECT_GT(core.profile(0).now.position, 1000);
+  EXPECT_LE(core.profile(0).now.position, 1002.5) << "what it moves in a cycle";
 }
 
 TEST(MotionHash, IsEqualForEqualStatesAndForACopyPutBack) {

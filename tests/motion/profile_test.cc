@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -35,6 +36,25 @@ TEST(ProfileStop, AnAbruptStopIsOverInTheNextCycle) {
   run.At(500);
   run.Stop(run.profile.abrupt_stop);
   EXPECT_EQ(run.Tick(), AtRest(-20001.25));
+}
+
+TEST(ProfileStop, WithAnInfiniteDecelerationItRestsInTheSameCycle) {
+  for (const bool begun : {false, true}) {
+    ProfileRun run;
+    run.SetTrap();
+    run.MoveTo(50000, 50);
+    run.At(500);
+    // Also during a softer stop, which is at 20000 + 450 pulses after 10 ms.
+    if (begun) run.Stop(1);
+    if (begun) run.At(510);
+    const double position = begun ? 20450 : 20000;
+    run.Stop(std::numeric_limits<double>::infinity());
+    EXPECT_EQ(run.profile.now, AtRest(position));
+    EXPECT_FALSE(run.profile.stopping);
+    EXPECT_EQ(run.Tick(), AtRest(position));
+    run.profile.Start(run.now);
+    EXPECT_EQ(run.Tick().velocity, 0.0625) << "from rest";
+  }
 }
 
 TEST(ProfileStop, BeginsAtTheVelocityThatCameOut) {
