@@ -446,7 +446,11 @@ void MotionCore::StopProfile(size_t profile, bool abrupt) {
     if (state_.crds[i].Drives(profile)) StopCrd(i, abrupt);
   }
   if (stopped.driven) return;
-  stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
+  if (abrupt) {
+    stopped.Stop(now(), stopped.abrupt_stop);
+  } else {
+    stopped.StopSmoothly(now());
+  }
 }
 
 void MotionCore::StopCommanded(size_t profile, bool abrupt) {

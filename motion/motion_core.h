@@ -144,8 +144,8 @@ class MotionCore {
   uint32_t EnableOutputs(size_t axis) const;
   /// Forgets the latched conditions whose cause is gone (GT_ClrSts).
   void ClearStatus(size_t axis);
-  /// Stops a profile with the decelerations of its registers; if it belongs to a coordinate system,
-  /// the whole system stops.
+  /// Stops a profile with the decelerations of its registers, or smoothly as its mode plans it; if
+  /// it belongs to a coordinate system, the whole system stops.
   void StopProfile(size_t profile, bool abrupt);
   /// GT_Stop of one axis: stops its profile or, for the slave of a gantry, the master.
   void StopCommanded(size_t profile, bool abrupt);

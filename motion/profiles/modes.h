@@ -24,6 +24,7 @@
 #include "motion/profiles/master.h"
 #include "motion/profiles/pt_mode.h"
 #include "motion/profiles/pvt_mode.h"
+#include "motion/profiles/s_curve_mode.h"
 #include "motion/profiles/trap_mode.h"
 
 namespace oncard::motion {
@@ -68,6 +69,13 @@ template <typename Mode>
 concept PlannedMode = IndependentMode<Mode> && requires(const Mode mode) {
   { mode.FollowedPlan() } -> std::same_as<const Plan*>;
   { mode.begin } -> std::convertible_to<Micros>;
+};
+
+/// An independent mode that plans its smooth stops itself, as part of its run.
+template <typename Mode>
+concept SmoothlyStoppingMode = IndependentMode<Mode> &&
+    requires(Mode mode, Micros now, const Sample& from) {
+  mode.StopSmoothly(now, from);
 };
 
 /// A mode whose output is a function of its master's.

@@ -44,6 +44,19 @@ void Profile::Stop(Micros instant, double deceleration) {
   stopping = false;
 }
 
+void Profile::StopSmoothly(Micros instant) {
+  bool planned = false;
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (SmoothlyStoppingMode<Mode>) {
+      planned = selected.running;
+      if (!planned) return;
+      selected.StopSmoothly(instant, now);
+      now.moving = selected.running;
+    }
+  });
+  if (!planned) Stop(instant, smooth_stop);
+}
+
 void Profile::Advance(Micros instant) {
   if (!now.moving || driven) return;
   if (stopping) {

@@ -130,8 +130,8 @@ inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
   if (profile.mode == ProfileMode::kCrd || profile.driven) return;
   if (!profile.now.moving) {
     constexpr ProfileMode kModes[] = {ProfileMode::kTrap, ProfileMode::kTrap, ProfileMode::kJog,
-                                      ProfileMode::kGear};
-    profile.mode = kModes[random.Below(4)];
+                                      ProfileMode::kGear, ProfileMode::kSCurve};
+    profile.mode = kModes[random.Below(5)];
   }
   const double rate = random.Between(0.05, 2);
   switch (profile.mode) {
@@ -146,6 +146,10 @@ inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
       if (profile.gear.master.index == axis) return;
       profile.gear.slave_even = random.Below(7) - 3;
       profile.gear.ratio_set = true;
+      break;
+    case ProfileMode::kSCurve:
+      profile.s_curve.limits = {random.Between(0, 40), rate, random.Between(0.001, 0.1)};
+      profile.s_curve.target = random.Below(20'000) - 10'000;
       break;
     default:
       profile.mode = ProfileMode::kTrap;
