@@ -1,4 +1,4 @@
-// The master of a slave profile (Gear, Follow). Source: GTS manual 7.5, 7.6.
+// The master of a slave profile (Gear, Follow, HandWheel). Source: GTS manual 7.5, 7.6.
 #pragma once
 
 #include <cstdint>

@@ -26,6 +26,7 @@
 #include "motion/profiles/pvt_mode.h"
 #include "motion/profiles/s_curve_mode.h"
 #include "motion/profiles/trap_mode.h"
+#include "motion/profiles/wheel_mode.h"
 
 namespace oncard::motion {
 

@@ -64,6 +64,8 @@ struct MoveLimits {
   /// Reached at once at the start of a move from rest, and left at once at its end; below
   /// `velocity`.
   double start_velocity = 0;
+
+  auto Fields() const { return std::tie(velocity, acceleration, deceleration, start_velocity); }
 };
 
 /// The fastest motion from (position, velocity) to rest at `target`. If it moves away from the

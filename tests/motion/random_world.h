@@ -129,9 +129,10 @@ inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
   Profile& profile = core.state().profiles[axis];
   if (profile.mode == ProfileMode::kCrd || profile.driven) return;
   if (!profile.now.moving) {
-    constexpr ProfileMode kModes[] = {ProfileMode::kTrap, ProfileMode::kTrap, ProfileMode::kJog,
-                                      ProfileMode::kGear, ProfileMode::kSCurve};
-    profile.mode = kModes[random.Below(5)];
+    constexpr ProfileMode kModes[] = {ProfileMode::kTrap,   ProfileMode::kTrap,
+                                      ProfileMode::kJog,    ProfileMode::kGear,
+                                      ProfileMode::kSCurve, ProfileMode::kWheel};
+    profile.mode = kModes[random.Below(6)];
   }
   const double rate = random.Between(0.05, 2);
   switch (profile.mode) {
@@ -146,6 +147,15 @@ inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
       if (profile.gear.master.index == axis) return;
       profile.gear.slave_even = random.Below(7) - 3;
       profile.gear.ratio_set = true;
+      break;
+    case ProfileMode::kWheel:
+      if (profile.now.moving) return;
+      profile.wheel.master = {true, random.OneIn(2) ? MasterType::kProfile : MasterType::kEncoder,
+                              static_cast<uint8_t>(random.Below(core.config().axis_count)), false};
+      if (profile.wheel.master.index == axis) return;
+      profile.wheel.ratio = random.Below(7) - 3;
+      profile.wheel.limits = {random.Between(1, 40), rate, rate, random.Between(0, 1)};
+      profile.wheel.cycle = MsBetween(0, core.config().cycle_us);
       break;
     case ProfileMode::kSCurve:
       profile.s_curve.limits = {random.Between(0, 40), rate, random.Between(0.001, 0.1)};
