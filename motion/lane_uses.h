@@ -45,7 +45,8 @@ struct LaneUses<MotionState> {
                         &MotionState::gantry, &MotionState::homing, &MotionState::homing_runs,
                         &MotionState::reached, &MotionState::shapers>;
   using Read = Members<&MotionState::pvt_tables, &MotionState::enable_axes, &MotionState::drives,
-                       &MotionState::modules, &MotionState::index_marks, &MotionState::lasers>;
+                       &MotionState::modules, &MotionState::index_marks, &MotionState::lasers,
+                       &MotionState::spindle>;
 };
 
 template <>

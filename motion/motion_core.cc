@@ -136,6 +136,7 @@ void MotionCore::Reset() {
   state_.compensates = false;
   state_.shapers.Reset();
   drives().Reset();
+  if (state_.spindle) *state_.spindle = {};
   for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
   for (ExtensionModule& module : state_.modules) {
     module.outputs = 0;

@@ -98,12 +98,15 @@ struct MotionState {
   Rare<BusPart> bus;
   /// Of all axes, if one of them is on.
   Rare<std::array<InputShaper, kAxisMax>> shapers;
+  /// The analogue output of a spindle, beside those of the axes: of cards that have it from the
+  /// beginning. No servo controller writes it.
+  Rare<Dac> spindle;
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    lasers, gantry, homing, homing_runs, reached, bus, shapers);
+                    lasers, gantry, homing, homing_runs, reached, bus, shapers, spindle);
   }
 };
 

@@ -101,6 +101,19 @@ TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   EXPECT_EQ(core.state().crds[0].abrupt_stop, 50);
 }
 
+TEST(MotionReset, TakesTheVoltageFromTheSpindleOfACardThatHasOne) {
+  MotionCore core({});
+  core.Reset();
+  EXPECT_FALSE(core.state().spindle);
+  core.state().spindle.Emplace().value = 32767;
+  EXPECT_DOUBLE_EQ(core.state().spindle->Volts(), 10);
+  TickTimes(core, 4);
+  EXPECT_DOUBLE_EQ(core.state().spindle->Volts(), 10);
+  core.Reset();
+  ASSERT_TRUE(core.state().spindle);
+  EXPECT_EQ(core.state().spindle->Volts(), 0);
+}
+
 TEST(MotionTick, SamplesInputsAndAdvancesTimedOutputs) {
   MotionCore core({.cycle_us = 1000});
   core.state().io.SetPin(DiType::kGpi, 0, true);
@@ -146,6 +159,7 @@ TEST(MotionHash, SeesEveryPartOfTheState) {
   EXPECT_TRUE(changed([](MotionState& s) { s.cycle = 1; }));
   EXPECT_TRUE(changed([](MotionState& s) { s.clock_cycle = 1; }));
   EXPECT_TRUE(changed([](MotionState& s) { s.reached.resize(1); }));
+  EXPECT_TRUE(changed([](MotionState& s) { s.spindle.Emplace(); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetPin(DiType::kMpg, 6, false); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetPin(DiType::kMpg, 6, true); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetInverted(DiType::kGpi, 1); }));
