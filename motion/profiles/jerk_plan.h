@@ -76,7 +76,7 @@ struct JerkLimits {
 JerkPlan PlanToPosition(const Sample& from, double target, const JerkLimits& limits);
 
 /// From a state of motion to the signed velocity `target`, which is then kept, in the shortest
-/// time. With a target of 0: the smooth stop. Its limit is the target; limits.velocity is ignored.
+/// time. With a target of 0: the smooth stop. limits.velocity does not matter.
 JerkPlan PlanToVelocity(const Sample& from, double target, const JerkLimits& limits);
 
 }  // namespace oncard::motion
