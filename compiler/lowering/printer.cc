@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "compiler/dialect.h"
-#include "compiler/literal.h"
+#include "compiler/lowering/speller.h"
 #include "compiler/text.h"
-#include "vm/fixed_point.h"
 
 namespace oncard::compiler::lowering {
 namespace {
@@ -21,14 +20,14 @@ constexpr size_t kDeclarationWidth = 80;
 class Printer {
  public:
   Printer(const Program& program, const std::deque<SourceFile>& files, bool annotate)
-      : program_(program), files_(files), annotate_(annotate) {}
+      : program_(program), files_(files), annotate_(annotate), speller_(program) {}
 
   PrintedProgram Run() {
     PrintToolComments();
     PrintConstants();
     for (const int global : program_.globals) {
       const Variable& variable = VariableAt(global);
-      Line(fmt::format("{} {};", TypeOf(variable), Declare(variable)), variable.range);
+      Line(fmt::format("{} {};", TypeName(variable), Declare(variable)), variable.range);
     }
     for (const LoweredFunction& function : program_.functions) PrintFunction(function);
     return std::move(out_);
@@ -55,85 +54,9 @@ class Printer {
     return program_.variables[static_cast<size_t>(number)];
   }
 
-  static std::string_view TypeOf(const Variable& variable) {
-    return variable.structure != nullptr ? variable.structure->name : vm::TypeName(variable.type);
-  }
-
   static std::string Declare(const Variable& variable) {
     if (variable.size == 0) return variable.name;
     return fmt::format("{}[{}]", variable.name, variable.size);
-  }
-
-  std::string Spell(const Operand& operand) const {
-    if (operand.IsConstant()) {
-      const auto name = names_.find(operand.name);
-      if (name != names_.end()) return std::string(name->second);
-      return operand.type == vm::DataType::kDouble ? SpellDouble(operand.value)
-                                                   : std::to_string(operand.value);
-    }
-    const Variable& variable = VariableAt(operand.variable);
-    std::string text = operand.address ? "&" + variable.name : variable.name;
-    if (operand.kind == Operand::Kind::kElement) {
-      text += operand.index >= 0 ? fmt::format("[{}]", VariableAt(operand.index).name)
-                                 : fmt::format("[{}]", operand.value);
-    } else if (operand.kind == Operand::Kind::kMember) {
-      text +=
-          fmt::format(".{}", variable.structure->members[static_cast<size_t>(operand.member)].name);
-    }
-    return text;
-  }
-
-  std::string SpellUnary(const Instruction& instruction) const {
-    std::string operand = Spell(instruction.a);
-    switch (instruction.unary) {
-      case vm::UnaryOperator::kCopy:
-        return operand;
-      case vm::UnaryOperator::kNot:
-        return "!" + operand;
-      case vm::UnaryOperator::kInvert:
-        return "~" + operand;
-      case vm::UnaryOperator::kAbs:
-        return fmt::format("abs({})", operand);
-      case vm::UnaryOperator::kFabs:
-        return fmt::format("fabs({})", operand);
-      case vm::UnaryOperator::kToInt:
-        return "(int) " + operand;
-      case vm::UnaryOperator::kToDouble:
-        return "(double) " + operand;
-    }
-    return operand;
-  }
-
-  std::string Spell(const Instruction& instruction, const LoweredFunction& function) const {
-    switch (instruction.kind) {
-      case Instruction::Kind::kUnary:
-        return fmt::format("{} = {};", Spell(instruction.target), SpellUnary(instruction));
-      case Instruction::Kind::kBinary:
-        return fmt::format(
-            "{} = {} {} {};", Spell(instruction.target), Spell(instruction.a),
-            vm::FindBinaryOperator(static_cast<uint16_t>(instruction.binary))->spelling,
-            Spell(instruction.b));
-      case Instruction::Kind::kLabel:
-        return function.labels[static_cast<size_t>(instruction.label)] + ":";
-      case Instruction::Kind::kGoto:
-        return fmt::format("goto {};", function.labels[static_cast<size_t>(instruction.label)]);
-      case Instruction::Kind::kIf:
-        return fmt::format("if ({}) goto {};", Spell(instruction.a),
-                           function.labels[static_cast<size_t>(instruction.label)]);
-      case Instruction::Kind::kReturn:
-        return instruction.a.kind == Operand::Kind::kNone
-                   ? "return;"
-                   : fmt::format("return {};", Spell(instruction.a));
-      case Instruction::Kind::kCall: {
-        std::string arguments;
-        for (const Operand& argument : instruction.arguments) {
-          if (!arguments.empty()) arguments += ", ";
-          arguments += Spell(argument);
-        }
-        return fmt::format("{}({});", instruction.command->name, arguments);
-      }
-    }
-    return {};
   }
 
   // The locals that the function uses: variables in the order of their declarations, temporaries
@@ -162,9 +85,9 @@ class Printer {
       const Variable& variable = VariableAt(number);
       const std::string declared = Declare(variable);
       const bool fits = line.size() + declared.size() + 3 <= kDeclarationWidth;
-      if (line.empty() || TypeOf(variable) != type || !fits) {
+      if (line.empty() || TypeName(variable) != type || !fits) {
         flush();
-        type = TypeOf(variable);
+        type = TypeName(variable);
         line = fmt::format("  {} {}", type, declared);
       } else {
         line += ", " + declared;
@@ -256,7 +179,8 @@ class Printer {
     std::string parameters;
     for (const int parameter : function.parameters) {
       if (!parameters.empty()) parameters += ", ";
-      parameters += fmt::format("{} {}", TypeOf(VariableAt(parameter)), VariableAt(parameter).name);
+      parameters +=
+          fmt::format("{} {}", TypeName(VariableAt(parameter)), VariableAt(parameter).name);
     }
     Line(fmt::format("{} {}({}) {{", vm::TypeName(function.type), function.name, parameters),
          function.header);
@@ -273,7 +197,7 @@ class Printer {
         if (annotate_) PrintAnnotations(function, i);
       }
       newest = std::max(newest, instruction.statement);
-      Line((label ? "" : "  ") + Spell(instruction, function), instruction.range);
+      Line((label ? "" : "  ") + speller_.Spell(instruction, function), instruction.range);
     }
     if (!function.code.empty() && function.code.back().kind == Instruction::Kind::kLabel) {
       Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
@@ -311,8 +235,9 @@ class Printer {
       if (number < 0) continue;
       const NamedConstant& constant = program_.constants[static_cast<size_t>(number)];
       if (constant.ambiguous || taken.contains(constant.name)) continue;
-      Line(fmt::format("#define {} {}", constant.name, Spell(constant.value)), constant.range);
-      names_.emplace(number, constant.name);
+      Line(fmt::format("#define {} {}", constant.name, speller_.Spell(constant.value)),
+           constant.range);
+      speller_.UseName(number);
     }
     EmptyLine();
   }
@@ -320,7 +245,7 @@ class Printer {
   const Program& program_;
   const std::deque<SourceFile>& files_;
   const bool annotate_;
-  std::map<int, std::string_view> names_;  // of constants, by number
+  Speller speller_;
   PrintedProgram out_;
   std::set<std::pair<int, int>> printed_;  // lines of C that are in the function already
   std::set<int> annotated_;
@@ -328,17 +253,6 @@ class Printer {
 };
 
 }  // namespace
-
-std::string SpellDouble(int64_t raw) {
-  const double value = vm::DoubleFromFixed(raw);
-  for (int digits = 1; digits < vm::kFractionBits; ++digits) {
-    std::string text = fmt::format("{:.{}f}", value < 0 ? -value : value, digits);
-    const Literal literal = ParseFixed(text);
-    const int64_t magnitude = static_cast<int64_t>(literal.magnitude);
-    if ((value < 0 ? -magnitude : magnitude) == raw) return (value < 0 ? "-" : "") + text;
-  }
-  return fmt::format("{:.{}f}", value, vm::kFractionBits);
-}
 
 PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate) {
   return Printer(program, files, annotate).Run();

@@ -20,7 +20,4 @@ struct PrintedProgram {
 /// card.
 PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate);
 
-/// As motion programs spell it: the shortest decimal fraction with this raw value.
-std::string SpellDouble(int64_t raw);
-
 }  // namespace oncard::compiler::lowering
