@@ -63,8 +63,7 @@ void Lowerer::AssignInto(const Place& place, const Expression& value) {
   const Expression& inner = WithoutParens(value);
   if (const std::optional<TypedConstant> constant = Evaluate(inner)) {
     const std::optional<TypedConstant> converted = ConvertConstant(*constant, place.type.basic);
-    Store(place, ConstantValue(converted ? *converted : *constant, inner.range), inner.range,
-          false);
+    Store(place, ConstantValue(converted ? *converted : *constant, inner), inner.range, false);
     return;
   }
   const bool logical =

@@ -182,13 +182,16 @@ std::optional<int64_t> Lowerer::EvaluateInteger(const Expression& expression) {
   return value->value.integer;
 }
 
-Value Lowerer::ConstantValue(const TypedConstant& constant, SourceRange range) {
+// A constant that an expression is, or is converted to.
+Value Lowerer::ConstantValue(const TypedConstant& constant, const Expression& expression) {
+  const SourceRange range = expression.range;
   Value result;
   result.type = result.range = constant.type;
   if (constant.type != BasicType::kDouble) {
     result.operand = IntOperand(constant.value.integer);
     const bool truth = constant.value.integer == 0 || constant.value.integer == 1;
     if (truth) result.range = BasicType::kBool;
+    KeepSpelling(expression, result.operand);
     return result;
   }
   const std::optional<int64_t> raw = FixedValue(constant.value.AsLiteral(), options_.double_format);
@@ -199,6 +202,7 @@ Value Lowerer::ConstantValue(const TypedConstant& constant, SourceRange range) {
            fmt::format("{}", vm::DoubleFromFixed(vm::FixedMax(format))));
   }
   result.operand = ConstantOperand(vm::DataType::kDouble, raw.value_or(0));
+  KeepSpelling(expression, result.operand);
   return result;
 }
 

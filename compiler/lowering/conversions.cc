@@ -21,7 +21,10 @@ Value Lowerer::Convert(Value value, BasicType type, SourceRange range) {
       if (from_double) number = vm::IntFromFixed(number);
       number = ConvertInteger(number, type);
     }
-    return {ConstantOperand(DataTypeOf(type), number), type, type};
+    Operand converted = ConstantOperand(DataTypeOf(type), number);
+    // An int beside a double is written the same.
+    if (to_double) converted.name = value.operand.name;
+    return {converted, type, type};
   }
   Value result;
   if (to_double) {

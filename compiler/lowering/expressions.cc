@@ -152,7 +152,7 @@ Value Lowerer::LowerValue(const Expression& expression) {
   if (stopped_) return {};
   // Constants first: what C computes when it compiles costs the card nothing.
   if (const std::optional<TypedConstant> constant = Evaluate(expression)) {
-    return ConstantValue(*constant, expression.range);
+    return ConstantValue(*constant, expression);
   }
   switch (expression.kind) {
     case Kind::kName:

@@ -109,7 +109,7 @@ void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbo
       Report(Code::kConstantNeeded, expression.range, Source(expression.range));
       return;
     }
-    const Operand operand = ConstantValue(*converted, expression.range).operand;
+    const Operand operand = ConstantValue(*converted, expression).operand;
     if (operand.value != 0) initial_values_.push_back({target, operand, expression.range});
   };
   if (symbol.dimensions.empty() && symbol.type.structure == nullptr) {
@@ -198,7 +198,7 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
     Place place = {ElementOperand(symbol, i), symbol.type};
     if (symbol.type.structure != nullptr) {
       place.type = Type();
-      place.type.basic = TypeOfMember(symbol.type.structure->members[static_cast<size_t>(i)]);
+      place.type.basic = MemberType(symbol.type.structure->members[static_cast<size_t>(i)]);
     }
     AssignInto(place, *at(i));
     ++i;

@@ -44,7 +44,8 @@ struct Operand {
   int variable = -1;
   int index = -1;  ///< the int variable that holds the index of an element
   int64_t value = 0;
-  int name = -1;  ///< of a constant: which one of Program::constants, if it has a name
+  /// Of a constant, or a constant index: which one of Program::constants, if it has a name.
+  int name = -1;
 
   bool operator==(const Operand&) const = default;
   bool IsConstant() const { return kind == Kind::kConstant; }

@@ -11,7 +11,7 @@ void Lowerer::LowerWhile(const Statement& statement) {
   EmitLabel(begin, statement.value->range);
   BranchIf(*statement.value, false, end);
   frame_->targets.push_back({end, begin});
-  LowerStatement(*statement.body);
+  LowerInner(*statement.body);
   frame_->targets.pop_back();
   BeginFullExpression(statement.value->range);
   EmitGoto(begin, statement.value->range);
@@ -24,7 +24,7 @@ void Lowerer::LowerDo(const Statement& statement) {
   const int end = NewLabel("do", statement.range, "end");
   EmitLabel(begin, statement.range);
   frame_->targets.push_back({end, condition});
-  LowerStatement(*statement.body);
+  LowerInner(*statement.body);
   frame_->targets.pop_back();
   EmitLabel(condition, statement.value->range);
   BeginFullExpression(statement.value->range);
@@ -45,7 +45,7 @@ void Lowerer::LowerFor(const Statement& statement) {
   EmitLabel(begin, head);
   if (statement.value != nullptr) BranchIf(*statement.value, false, end);
   frame_->targets.push_back({end, next});
-  LowerStatement(*statement.body);
+  LowerInner(*statement.body);
   frame_->targets.pop_back();
   EmitLabel(next, statement.keyword);
   SourceRange last = head;

@@ -10,6 +10,9 @@
 //   Values that are used twice are loaded into a temporary first.
 // - Every temporary is new. The last pass lets them share slots.
 // - A mistake is reported once, and an operand of value 0 takes its place.
+//
+// What is virtual is different for single statements of a program of the card (fragment.cc), whose
+// types are those of the card, and whose bodies stay as they are.
 #pragma once
 
 #include <deque>
@@ -95,10 +98,14 @@ class Lowerer {
         reporter_(reporter),
         share_bodies_(share_bodies) {}
 
+  virtual ~Lowerer() = default;
+  Lowerer(const Lowerer&) = delete;
+  Lowerer& operator=(const Lowerer&) = delete;
+
   /// Translates a whole program. The result is valid only if no error was reported.
   Program Lower(const Tree& tree);
 
- private:
+ protected:
   struct FunctionInfo {
     const Function* syntax = nullptr;
     Type type;
@@ -190,7 +197,7 @@ class Lowerer {
   // --- declarations.cc ---
   Type ResolveType(const Specifiers& specifiers) const;
   bool HasWord(const Specifiers& specifiers, std::string_view word) const;
-  void LowerDeclaration(const Statement& statement);
+  virtual void LowerDeclaration(const Statement& statement);
   void DefineEnumeration(const Enumeration& enumeration);
   void CheckNameLength(std::string_view name, SourceRange range);
   void DeclareGlobal(const Declarator& declarator, const Type& type);
@@ -220,10 +227,12 @@ class Lowerer {
   // --- statements.cc ---
   void LowerBody(const std::vector<StatementPtr>& items);
   void LowerStatement(const Statement& statement);
+  /// The body of a branch, a loop or a switch.
+  virtual void LowerInner(const Statement& body);
   void LowerIf(const Statement& statement);
   void LowerReturn(const Statement& statement);
   void LowerLeave(const Statement& statement);
-  std::optional<int> JumpTarget(const Statement& statement);
+  virtual std::optional<int> JumpTarget(const Statement& statement);
 
   // --- loops.cc ---
   void LowerWhile(const Statement& statement);
@@ -247,7 +256,8 @@ class Lowerer {
 
   // --- type_of.cc ---
   BasicType TypeOf(const Expression& expression);
-  std::optional<BasicType> CastType(const Expression& expression);
+  virtual BasicType MemberType(const gtcalls::Member& member) const;
+  virtual std::optional<BasicType> CastType(const Expression& expression);
   std::optional<int64_t> SizeOfOperand(const Expression& expression);
 
   // --- unsigned.cc ---
@@ -256,10 +266,12 @@ class Lowerer {
   Value ShiftUnsignedRight(const Value& a, const Value& count, SourceRange range);
 
   // --- constants.cc ---
-  std::optional<TypedConstant> Evaluate(const Expression& expression);
+  virtual std::optional<TypedConstant> Evaluate(const Expression& expression);
   std::optional<TypedConstant> EvaluateBinary(const Expression& expression);
-  std::optional<int64_t> EvaluateInteger(const Expression& expression);
-  Value ConstantValue(const TypedConstant& constant, SourceRange range);
+  virtual std::optional<int64_t> EvaluateInteger(const Expression& expression);
+  Value ConstantValue(const TypedConstant& constant, const Expression& expression);
+  /// Lets a constant be printed as the expression is written.
+  virtual void KeepSpelling(const Expression& /*expression*/, Operand& /*constant*/) {}
   static std::optional<TypedConstant> ConvertConstant(const TypedConstant& constant,
                                                       BasicType type);
   std::optional<TypedConstant> LiteralConstant(const Expression& expression) const;
@@ -277,6 +289,8 @@ class Lowerer {
 
   // --- places.cc ---
   std::optional<Place> LowerPlace(const Expression& expression);
+  /// The int that is the value of an index.
+  virtual std::optional<Operand> LowerIndex(const Expression& index);
   std::optional<ArrayPlace> LowerArray(const Expression& expression);
   const Symbol* ArrayOf(const Expression& expression, size_t* indices) const;
   bool IsArray(const Expression& expression) const;
@@ -286,11 +300,11 @@ class Lowerer {
   bool CheckWritable(const Place& place, const Expression& expression);
 
   // --- assignments.cc ---
-  Value LowerAssignment(const Expression& expression, bool value_used);
+  virtual Value LowerAssignment(const Expression& expression, bool value_used);
   Value LowerCompound(const Expression& expression, bool value_used);
   Value LowerStep(const Expression& expression, bool value_used);
   void AssignInto(const Place& place, const Expression& value);
-  void AssignBoth(const Place& place, const Expression& conditional);
+  virtual void AssignBoth(const Place& place, const Expression& conditional);
   Value Store(const Place& place, Value value, SourceRange range, bool value_used);
   Value Update(Place place, const vm::OperatorInfo& info, const Value& change,
                const Expression& expression, bool value_used);
@@ -331,7 +345,7 @@ class Lowerer {
   void EmitLabel(int label, SourceRange range);
   Operand NewTemporary(vm::DataType type, SourceRange range);
   int NewLabel(std::string_view wish);
-  int NewLabel(std::string_view construct, SourceRange keyword, std::string_view part = {});
+  virtual int NewLabel(std::string_view construct, SourceRange keyword, std::string_view part = {});
   bool EndsInJump() const;
   void BeginFullExpression(SourceRange range);
   bool IsShared(const Operand& operand) const;
@@ -384,9 +398,6 @@ class Lowerer {
 
 /// `true` for a value that is void, a structure, or follows an error.
 inline bool IsVoid(const Value& value) { return value.operand.kind == Operand::Kind::kNone; }
-
-/// The type of C that a member of a structure has.
-BasicType TypeOfMember(const gtcalls::Member& member);
 
 /// The expression inside all parentheses.
 const Expression& WithoutParens(const Expression& expression);

@@ -49,6 +49,16 @@ bool Lowerer::IsArray(const Expression& expression) const {
   return symbol != nullptr && symbol->dimensions.size() > indices;
 }
 
+std::optional<Operand> Lowerer::LowerIndex(const Expression& index) {
+  const Value value = LowerValue(index);
+  if (!RequireNumber(value, index)) return std::nullopt;
+  if (value.type != BasicType::kDouble) return value.operand;
+  Report(Code::kTypeMismatch, index.range, MakeMessage("a double", "double"),
+         MakeMessage("an int as the index", "int 下标"),
+         MakeMessage("convert it: (int)", "请转换：(int)"));
+  return std::nullopt;
+}
+
 std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   const Expression& inner = WithoutParens(expression);
   if (inner.kind == Expression::Kind::kName) {
@@ -79,39 +89,30 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
     return std::nullopt;
   }
   const Expression& index = *inner.operands[1];
-  Value value = LowerValue(index);
-  if (!RequireNumber(value, index)) return std::nullopt;
-  if (value.type == BasicType::kDouble) {
-    Report(Code::kTypeMismatch, index.range, MakeMessage("a double", "double"),
-           MakeMessage("an int as the index", "int 下标"),
-           MakeMessage("convert it: (int)", "请转换：(int)"));
-    return std::nullopt;
-  }
+  std::optional<Operand> offset = LowerIndex(index);
+  if (!offset) return std::nullopt;
   const int64_t size = array->dimensions[0];
-  const bool constant = value.operand.IsConstant();
-  if (constant && (value.operand.value < 0 || (size > 0 && value.operand.value >= size))) {
-    Report(Code::kIndexOutOfBounds, index.range, value.operand.value, array->name, size - 1);
+  const bool constant = offset->IsConstant();
+  if (constant && (offset->value < 0 || (size > 0 && offset->value >= size))) {
+    Report(Code::kIndexOutOfBounds, index.range, offset->value, array->name, size - 1);
     return std::nullopt;
   }
   array->dimensions.erase(array->dimensions.begin());
   int64_t row = 1;
   for (const int64_t dimension : array->dimensions) row *= dimension;
-  Operand offset = value.operand;
-  const auto constant_int = [](int64_t number) { return IntOperand(number); };
-  if (constant) {
-    offset = constant_int(offset.value * row);
-  } else if (row != 1) {
-    offset = Compute(vm::BinaryOperator::kMultiply, offset, constant_int(row), BasicType::kInt,
-                     inner.range)
-                 .operand;
+  if (row != 1) {
+    offset = constant ? IntOperand(offset->value * row)
+                      : Compute(vm::BinaryOperator::kMultiply, *offset, IntOperand(row),
+                                BasicType::kInt, inner.range)
+                            .operand;
   }
-  if (array->offset.IsConstant() && offset.IsConstant()) {
-    array->offset = constant_int(array->offset.value + offset.value);
-  } else if (array->offset.IsConstant() && array->offset.value == 0) {
-    array->offset = offset;
-  } else if (!(offset.IsConstant() && offset.value == 0)) {
+  if (array->offset.IsConstant() && array->offset.value == 0) {
+    array->offset = *offset;
+  } else if (array->offset.IsConstant() && offset->IsConstant()) {
+    array->offset = IntOperand(array->offset.value + offset->value);
+  } else if (!(offset->IsConstant() && offset->value == 0)) {
     array->offset =
-        Compute(vm::BinaryOperator::kAdd, array->offset, offset, BasicType::kInt, inner.range)
+        Compute(vm::BinaryOperator::kAdd, array->offset, *offset, BasicType::kInt, inner.range)
             .operand;
   }
   return array;
@@ -132,6 +133,7 @@ std::optional<Place> Lowerer::LowerElement(const Expression& expression) {
   place.operand.variable = array->variable;
   if (array->offset.IsConstant()) {
     place.operand.value = array->offset.value;
+    place.operand.name = array->offset.name;
     if (array->offset.value >= variable.size) {
       Report(Code::kIndexOutOfBounds, expression.range, array->offset.value, array->name,
              int64_t{variable.size} - 1);
@@ -165,7 +167,7 @@ std::optional<Place> Lowerer::LowerMember(const Expression& expression) {
     place.operand.kind = Operand::Kind::kMember;
     place.operand.member = static_cast<int16_t>(i);
     place.operand.type = gtcalls::ProgramType(members[i].type);
-    place.type.basic = TypeOfMember(members[i]);
+    place.type.basic = MemberType(members[i]);
     place.type.is_const = structure->type.is_const;
     return place;
   }

@@ -8,10 +8,11 @@
 namespace oncard::compiler::lowering {
 
 std::string Speller::Spell(const Operand& operand) const {
+  const std::string* const name = named_.contains(operand.name)
+                                      ? &program_.constants[static_cast<size_t>(operand.name)].name
+                                      : nullptr;
   if (operand.IsConstant()) {
-    if (named_.contains(operand.name)) {
-      return program_.constants[static_cast<size_t>(operand.name)].name;
-    }
+    if (name != nullptr) return *name;
     return operand.type == vm::DataType::kDouble ? SpellDouble(operand.value)
                                                  : std::to_string(operand.value);
   }
@@ -19,6 +20,7 @@ std::string Speller::Spell(const Operand& operand) const {
   std::string text = operand.address ? "&" + variable.name : variable.name;
   if (operand.kind == Operand::Kind::kElement) {
     text += operand.index >= 0 ? fmt::format("[{}]", VariableAt(operand.index).name)
+            : name != nullptr  ? fmt::format("[{}]", *name)
                                : fmt::format("[{}]", operand.value);
   } else if (operand.kind == Operand::Kind::kMember) {
     text +=

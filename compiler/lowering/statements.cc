@@ -9,6 +9,8 @@ void Lowerer::LowerBody(const std::vector<StatementPtr>& items) {
   for (const StatementPtr& item : items) LowerStatement(*item);
 }
 
+void Lowerer::LowerInner(const Statement& body) { LowerStatement(body); }
+
 // Where a `goto`, `break` or `continue` leads, if the statement is nothing else.
 std::optional<int> Lowerer::JumpTarget(const Statement& statement) {
   const auto target = [this](int Targets::*label) -> std::optional<int> {
@@ -51,17 +53,17 @@ void Lowerer::LowerIf(const Statement& statement) {
     }
     const int end = NewLabel("if", statement.keyword, "end");
     BranchIf(condition, false, end);
-    LowerStatement(*statement.body);
+    LowerInner(*statement.body);
     EmitLabel(end, statement.range);
     return;
   }
   const int otherwise = NewLabel("if", statement.keyword, "else");
   const int end = NewLabel("if", statement.keyword, "end");
   BranchIf(condition, false, otherwise);
-  LowerStatement(*statement.body);
+  LowerInner(*statement.body);
   EmitGoto(end, statement.range);
   EmitLabel(otherwise, statement.range);
-  LowerStatement(*statement.else_body);
+  LowerInner(*statement.else_body);
   EmitLabel(end, statement.range);
 }
 
@@ -81,8 +83,7 @@ void Lowerer::LowerReturn(const Statement& statement) {
       const std::optional<TypedConstant> constant = Evaluate(expression);
       const std::optional<TypedConstant> converted =
           constant ? ConvertConstant(*constant, type) : std::nullopt;
-      Value value =
-          converted ? ConstantValue(*converted, expression.range) : LowerValue(expression);
+      Value value = converted ? ConstantValue(*converted, expression) : LowerValue(expression);
       if (!RequireNumber(value, expression)) return;
       instruction.a = Convert(value, type, expression.range).operand;
     }

@@ -33,6 +33,7 @@ void Lowerer::LowerSwitch(const Statement& statement) {
   struct Range {
     int64_t first;
     int64_t last;
+    const Statement* item;
     int label;
     SourceRange place;
   };
@@ -59,7 +60,7 @@ void Lowerer::LowerSwitch(const Statement& statement) {
              MakeMessage("its value is not an integer constant", "其值不是整数常量"));
       return;
     }
-    Range range = {*first, *last, -1, item.range};
+    Range range = {*first, *last, &item, -1, item.range};
     if (range.first > range.last) {
       Report(Code::kCaseLabel, item.range, MakeMessage("its range is empty", "其范围为空"));
       return;
@@ -86,8 +87,10 @@ void Lowerer::LowerSwitch(const Statement& statement) {
              MakeMessage("convert it: (int)", "请转换：(int)"));
     }
     value = Load(Convert(value, type, statement.value->range), statement.value->range);
-    const auto compare = [&](vm::BinaryOperator op, int64_t number, SourceRange range) {
+    const auto compare = [&](vm::BinaryOperator op, int64_t number, const Expression& written,
+                             SourceRange range) {
       Value constant = {IntOperand(number), type, type};
+      KeepSpelling(written, constant.operand);
       const bool relation = op != vm::BinaryOperator::kEqual;
       if (relation && type == BasicType::kUnsigned) {
         return CompareUnsigned(op, value, constant, range).operand;
@@ -96,14 +99,15 @@ void Lowerer::LowerSwitch(const Statement& statement) {
     };
     for (const Range& range : ranges) {
       if (range.first == range.last) {
-        EmitIf(compare(vm::BinaryOperator::kEqual, range.first, range.place), range.label,
-               range.place);
+        EmitIf(compare(vm::BinaryOperator::kEqual, range.first, *range.item->value, range.place),
+               range.label, range.place);
         continue;
       }
       const int skip = NewLabel("switch", keyword, "next");
-      EmitIf(compare(vm::BinaryOperator::kLess, range.first, range.place), skip, range.place);
-      EmitIf(compare(vm::BinaryOperator::kLessEqual, range.last, range.place), range.label,
+      EmitIf(compare(vm::BinaryOperator::kLess, range.first, *range.item->value, range.place), skip,
              range.place);
+      EmitIf(compare(vm::BinaryOperator::kLessEqual, range.last, *range.item->last, range.place),
+             range.label, range.place);
       EmitLabel(skip, range.place);
     }
     EmitGoto(default_label >= 0 ? default_label : end, statement.value->range);
@@ -111,7 +115,7 @@ void Lowerer::LowerSwitch(const Statement& statement) {
   const int outer = frame_->targets.empty() ? -1 : frame_->targets.back().continue_label;
   frame_->targets.push_back({end, outer});
   frame_->cases.push_back(std::move(labels));
-  LowerStatement(*statement.body);
+  LowerInner(*statement.body);
   frame_->cases.pop_back();
   frame_->targets.pop_back();
   EmitLabel(end, statement.range);

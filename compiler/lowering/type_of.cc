@@ -6,6 +6,9 @@
 
 namespace oncard::compiler::lowering {
 
+namespace {
+
+// The type of C that a member of a structure has.
 BasicType TypeOfMember(const gtcalls::Member& member) {
   switch (member.type) {
     case gtcalls::Scalar::kChar:
@@ -27,8 +30,6 @@ BasicType TypeOfMember(const gtcalls::Member& member) {
   return BasicType::kInt;
 }
 
-namespace {
-
 // Bytes of a structure, with every member at a multiple of its size.
 int64_t SizeOfStructure(const gtcalls::Structure& structure) {
   int64_t bytes = 0;
@@ -42,6 +43,8 @@ int64_t SizeOfStructure(const gtcalls::Structure& structure) {
 }
 
 }  // namespace
+
+BasicType Lowerer::MemberType(const gtcalls::Member& member) const { return TypeOfMember(member); }
 
 std::optional<BasicType> Lowerer::CastType(const Expression& expression) {
   const TypeName& name = *expression.type;
@@ -85,7 +88,7 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
   const auto operand = [this, &expression](size_t i) { return TypeOf(*expression.operands[i]); };
   switch (expression.kind) {
     case Kind::kLiteral: {
-      const std::optional<TypedConstant> constant = LiteralConstant(expression);
+      const std::optional<TypedConstant> constant = Evaluate(expression);
       return constant ? constant->type : BasicType::kInt;
     }
     case Kind::kName: {
@@ -106,7 +109,7 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
       const Symbol* symbol = structure.kind == Kind::kName ? Lookup(structure.text) : nullptr;
       if (symbol == nullptr || symbol->type.structure == nullptr) return BasicType::kInt;
       for (const gtcalls::Member& member : symbol->type.structure->members) {
-        if (member.name == expression.text) return TypeOfMember(member);
+        if (member.name == expression.text) return MemberType(member);
       }
       return BasicType::kInt;
     }
