@@ -100,7 +100,7 @@ class Checker {
   enum class NameUse : uint8_t { kFree, kHidesAnother, kTaken };
   // For the variables at the top of a function.
   struct InitialValues {
-    std::vector<std::pair<const Declarator*, const Entity*>> list;
+    std::vector<const Declarator*> list;
     bool good = true;
     Diagnostic* bearer = nullptr;  // of the edits
   };

@@ -315,7 +315,7 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
   // The type's own errors are corrected first.
   if (!usable || failed || entity->hides || type.is_static || type.is_const) values.good = false;
   if (values.bearer == nullptr) values.bearer = &diagnostic;
-  values.list.emplace_back(&declarator, entity);
+  values.list.push_back(&declarator);
 }
 
 // One fix-it moves all initial values of a function to its first statement, because each may depend
@@ -324,14 +324,13 @@ void Checker::CorrectInitialValues() {
   const InitialValues& values = function_->initial_values;
   if (values.bearer == nullptr || !values.good) return;
   Rewriter rewriter(*this, *values.bearer);
-  for (const auto& [declarator, entity] : values.list) rewriter.Initialise(*declarator, *entity);
-  if (!rewriter.ok()) return;
-  for (const auto& [declarator, entity] : values.list) {
+  if (!rewriter.InitialiseFirst(values.list)) return;
+  for (const Declarator* declarator : values.list) {
     SourceRange value = declarator->range;
     value.begin = declarator->head.end;
     Replace(*values.bearer, value, "");
   }
-  rewriter.InsertAtFirstStatement();
+  rewriter.Finish();
 }
 
 void Checker::OpenName(std::string_view name) {
@@ -360,7 +359,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
   const DeclaredType type = ResolveType(statement.specifiers);
   CorrectType(statement.specifiers, type, statement.declarators, statement.range);
   bool all_good = type.valid && !type.is_void && !type.is_static;
-  std::vector<std::pair<const Declarator*, const Entity*>> declared;
+  std::vector<const Declarator*> initialised;
   std::vector<std::string> declarations;
   for (const Declarator& declarator : statement.declarators) {
     const Entity* known = Reopen(declarator, type);
@@ -369,11 +368,11 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
       declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
     }
     if (entity == nullptr || entity->invalid || entity->hides) all_good = false;
-    declared.emplace_back(&declarator, entity);
   }
   failed_ = false;
   for (const Declarator& declarator : statement.declarators) {
     if (declarator.initialiser == nullptr) continue;
+    initialised.push_back(&declarator);
     if (declarator.initialiser->kind == Expression::Kind::kBraces) {
       for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
     } else {
@@ -387,10 +386,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
   if (!all_good) return;
   Rewriter rewriter(*this, diagnostic);
   for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
-  for (const auto& [declarator, entity] : declared) {
-    if (declarator->initialiser != nullptr) rewriter.Initialise(*declarator, *entity);
-  }
-  rewriter.ReplaceStatement(statement.range, place);
+  rewriter.ReplaceDeclaration(statement, initialised, place);
 }
 
 void Checker::CheckParameters(const Function& syntax) {

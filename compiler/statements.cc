@@ -188,10 +188,7 @@ void Checker::EndStatement(const Statement& statement, const Place& place) {
                         "请由主机把该函数绑定到单独的线程（GT_Bind、GT_RunThread），"
                         "或把它的语句写在这里"));
   }
-  if (!failed_) {
-    Rewriter rewriter(*this, diagnostic);
-    rewriter.RewriteSimple(statement, place);
-  }
+  if (!failed_) Rewriter(*this, diagnostic).Rewrite(statement, place);
 }
 
 void Checker::CheckStatement(const Statement& statement, const Place& place) {
@@ -444,7 +441,7 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
         ToMessage(fmt::format("'{}'", text.substr(0, std::max<size_t>(word, 1)))));
   }
   if (diagnostic != nullptr && !failed && !uses_flat_array_) {
-    Rewriter(*this, *diagnostic).RewriteIf(statement, place);
+    Rewriter(*this, *diagnostic).Rewrite(statement, place);
   }
   Place inside = place;
   inside.top = false;
@@ -554,7 +551,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   if (!failed_ && !uses_flat_array_) {
     Rewriter rewriter(*this, diagnostic);
     for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
-    rewriter.RewriteLoop(statement, place);
+    rewriter.Rewrite(statement, place);
   }
   if (statement.body->kind == Statement::Kind::kBlock) {
     CheckBlock(*statement.body, inside);
@@ -599,7 +596,7 @@ void Checker::CheckSwitch(const Statement& statement, const Place& place) {
   lesson_.reset();
   Diagnostic& diagnostic = reporter_.Report(Code::kSwitch, statement.keyword);
   if (!failed_ && !uses_flat_array_ && block) {
-    Rewriter(*this, diagnostic).RewriteSwitch(statement, place);
+    Rewriter(*this, diagnostic).Rewrite(statement, place);
   }
   Place inside = place;
   inside.top = false;

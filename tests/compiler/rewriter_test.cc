@@ -587,6 +587,43 @@ TEST(Rewriter, ShowsTheManualsFormOfALoop) {
             "  if (cc) goto lbl_end;\n  v = i;\n  goto lbl_loop;\n  lbl_end:\n  return;\n}\n");
 }
 
+// What a fix-it writes is what a person would have written: constants keep their names, a jump that
+// an `if` decides about stays its statement, and a global is read as often as in C.
+TEST(Rewriter, WritesWhatAPersonWouldWrite) {
+  struct Case {
+    const char* statement;
+    const char* corrected;
+  };
+  const Case cases[] = {
+      {"v = LIMIT * 2 + 0x10;", "  tmp = LIMIT * 2;\n  v = tmp + 0x10;\n"},
+      {"v = a[LIMIT] + 1 - v;", "  tmp = a[LIMIT] + 1;\n  v = tmp - v;\n"},
+      {"x = x * LIMIT + 3;", "  tmp = x * LIMIT;\n  x = tmp + 3;\n"},
+      {"v = -LIMIT + v * 2;", "  tmp = v * 2;\n  v = -LIMIT + tmp;\n"},
+      {"if (v) { goto done; }", "  if (v) goto done;\n"},
+      {"if (v > 3) { return LIMIT; }", "  cc = v > 3;\n  if (cc) return LIMIT;\n"},
+      {"if (v > 3 || v < 1) return 0;",
+       "  cc = v > 3;\n  if (cc) return 0;\n  cc = v < 1;\n  if (cc) return 0;\n"},
+      {"if (v % 2 == 0 && !i) return v + 1;",
+       "  tmp = v % 2;\n  cc = tmp != 0;\n  if (cc) goto lbl_end;\n  if (i) goto lbl_end;\n"
+       "  tmp1 = v + 1;\n  return tmp1;\n  lbl_end:\n"},
+      {"i = v > 3 ? v : 5;",
+       "  cc = v <= 3;\n  if (cc) goto lbl_else;\n  i = v;\n  goto lbl_end;\n  lbl_else:\n"
+       "  i = 5;\n  lbl_end:\n"},
+      {"switch (v) { case LIMIT: i = 1; break; default: i = 2; }",
+       "  tmp = v;\n  cc = tmp == LIMIT;\n  if (cc) goto lbl_case_2;\n  goto lbl_default; "
+       "lbl_case_2: i = 1; goto lbl_end; lbl_default: i = 2; lbl_end:\n"},
+  };
+  for (const Case& test : cases) {
+    const std::string text = fmt::format(
+        "#define LIMIT 2\nint v, a[4];\nint t0() {{\n  int i;\n  double x;\n  i = 0;\n  x = 0;\n"
+        "  {}\n  done:\n  return i;\n}}\n",
+        test.statement);
+    const Compilation compilation = CompileString(text);
+    ASSERT_FALSE(compilation.diagnostics.empty()) << text;
+    EXPECT_THAT(ApplyFixIts(text, compilation.diagnostics[0]), HasSubstr(test.corrected)) << text;
+  }
+}
+
 // An initial value moves below the declarations, where a name may mean another variable.
 TEST(Rewriter, RenamesBeforeItMovesInitialValues) {
   const CorrectedProgram corrected =
