@@ -434,7 +434,7 @@ void FragmentLowerer::NameTemporaries(Fragment& fragment) {
   };
   const auto declare = [this, &fragment](std::string_view base, Variable& variable) {
     variable.name = context_.fresh.Make(base);
-    fragment.declarations.push_back(fmt::format("{} {};", TypeName(variable), variable.name));
+    fragment.declarations.push_back(fmt::format("{} {};", SpellType(variable), variable.name));
   };
   std::unordered_set<const Variable*> conditions;
   for (auto at = function_.code.rbegin(); at != function_.code.rend(); ++at) {

@@ -27,7 +27,7 @@ class Printer {
     PrintConstants();
     for (const int global : program_.globals) {
       const Variable& variable = VariableAt(global);
-      Line(fmt::format("{} {};", TypeName(variable), Declare(variable)), variable.range);
+      Line(fmt::format("{} {};", SpellType(variable), Declare(variable)), variable.range);
     }
     for (const LoweredFunction& function : program_.functions) PrintFunction(function);
     return std::move(out_);
@@ -85,9 +85,9 @@ class Printer {
       const Variable& variable = VariableAt(number);
       const std::string declared = Declare(variable);
       const bool fits = line.size() + declared.size() + 3 <= kDeclarationWidth;
-      if (line.empty() || TypeName(variable) != type || !fits) {
+      if (line.empty() || SpellType(variable) != type || !fits) {
         flush();
-        type = TypeName(variable);
+        type = SpellType(variable);
         line = fmt::format("  {} {}", type, declared);
       } else {
         line += ", " + declared;
@@ -180,7 +180,7 @@ class Printer {
     for (const int parameter : function.parameters) {
       if (!parameters.empty()) parameters += ", ";
       parameters +=
-          fmt::format("{} {}", TypeName(VariableAt(parameter)), VariableAt(parameter).name);
+          fmt::format("{} {}", SpellType(VariableAt(parameter)), VariableAt(parameter).name);
     }
     Line(fmt::format("{} {}({}) {{", vm::TypeName(function.type), function.name, parameters),
          function.header);

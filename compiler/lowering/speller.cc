@@ -82,7 +82,7 @@ std::string Speller::Spell(const Instruction& instruction, const LoweredFunction
   return {};
 }
 
-std::string_view TypeName(const Variable& variable) {
+std::string_view SpellType(const Variable& variable) {
   return variable.structure != nullptr ? variable.structure->name : vm::TypeName(variable.type);
 }
 

@@ -31,7 +31,7 @@ class Speller {
 };
 
 /// The name of a variable's type.
-std::string_view TypeName(const Variable& variable);
+std::string_view SpellType(const Variable& variable);
 
 /// As motion programs spell it: the shortest decimal fraction with this raw value.
 std::string SpellDouble(int64_t raw);
