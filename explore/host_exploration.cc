@@ -67,7 +67,8 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   subject.record = std::filesystem::path(path).filename().string();
   subject.scenario_hash = XXH64(text.data(), text.size(), 0);
   subject.card = CardConditionsOf(scenario);
-  if (card.host()->cut()) subject.card->until_us = card.host()->end_cycle() * scenario.cycle_us;
+  if (card.host()->cut())
+    subject.card->until_us = card.controller().clock().UsOf(card.host()->end_cycle());
   if (!sources.empty()) findings.source.text = sources.front().text;
   return findings;
 }

@@ -41,6 +41,9 @@ struct Card {
   FamilyState& family_state;
   /// Reads the files that commands name; empty: they are read from the file system.
   std::function<Result<std::string>(const std::string& path)> read_file = {};
+  /// Changes what a cycle of the card takes outside, from the next cycle on; only in families with
+  /// Family::cycle_ns. Set by the card's owner.
+  std::function<void(int64_t cycle_ns)> set_cycle_ns = {};
   /// Why the description of its bus cannot be used; empty: it can, or there is none.
   Message bus_error = {};
 

@@ -90,6 +90,10 @@ struct Family {
   const CardType& default_card;
   /// What the motion core of a card is after a reset.
   motion::CardDefaults defaults;
+  /// For a card whose commands count motion in cycles and not in milliseconds: what a cycle takes
+  /// at power-on, in nanoseconds. Its motion core has cycles of 1 ms, whatever they take outside;
+  /// Card::set_cycle_ns changes that. 0: a cycle takes what the configuration says, always.
+  int64_t cycle_ns = 0;
   /// The virtual time of a call from the host, in microseconds.
   int64_t (*cost_us)(const Command& command);
   /// The status word of an axis, counted from 0, as the family's commands return it.
@@ -124,8 +128,15 @@ struct Family {
 
   /// The configuration of a card's motion core, with the defaults of the family.
   motion::MotionConfig Configured(motion::MotionConfig config) const {
+    constexpr int64_t kCountedCycleUs = 1000;
     config.defaults = defaults;
+    if (cycle_ns != 0) config.cycle_us = config.servo_us = kCountedCycleUs;
     return config;
+  }
+  /// What a cycle takes at power-on.
+  int64_t CycleNs(const motion::MotionConfig& config) const {
+    constexpr int64_t kNsPerUs = 1000;
+    return cycle_ns != 0 ? cycle_ns : config.cycle_us * kNsPerUs;
   }
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];

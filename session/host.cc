@@ -14,7 +14,6 @@
 #include "compiler/diagnostic_printer.h"
 #include "runtime/scenario/run/requirement_watch.h"
 #include "runtime/scenario/run/result_json.h"
-#include "runtime/scenario/run/scenario_card.h"
 #include "session/arguments.h"
 #include "session/editor_requests.h"
 #include "session/project.h"
@@ -429,7 +428,7 @@ Result<Json> SessionHost::Requests::GoTo(Arguments& arguments) {
   const int64_t moment = to_time ? 0 : arguments.Whole("moment", 0, kMomentMax);
   if (auto missing = Missing(arguments)) return *std::move(missing);
   if (to_time) {
-    session_->run().GoToCycle(runtime::CycleOf(session_->run().scenario(), FromMs(ms)));
+    session_->run().GoToCycle(session_->run().controller().clock().CycleAt(FromMs(ms)));
     return StateNow();
   }
   if (moment > session_->run().head()) {

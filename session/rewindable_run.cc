@@ -130,7 +130,8 @@ const runtime::Controller& RewindableRun::CardWith(
 }
 
 bool RewindableRun::CallIsDue() const {
-  return CallIsLeft() && calls_->TimeUs(place_.calls) / scenario_.cycle_us <= controller_.cycle();
+  return CallIsLeft() && clock().LastEnded(calls_->TimeUs(place_.calls) *
+                                           runtime::CardClock::kNsPerUs) <= controller_.cycle();
 }
 
 StepKind RewindableRun::NextStep() const {
@@ -263,9 +264,10 @@ void RewindableRun::StepHost() {
 
 void RewindableRun::StepCall() {
   const size_t number = place_.calls++;
-  controller_.PlaceInCycle(calls_->TimeUs(number) % scenario_.cycle_us);
+  controller_.PlaceInCycle(calls_->TimeUs(number));
   const vm::Image* const before = machine().image();
   runtime::HostCalls::Done done = calls_->Execute(number, &controller_);
+  if (world_clock_ != clock()) UpdateWorld();
   if (machine().image() != before) place_.refusals = {};
   report_.call = true;
   place_.last_call = std::make_shared<const Message>(done.text);
@@ -291,7 +293,7 @@ void RewindableRun::StepHostWithin() {
 }
 
 void RewindableRun::BeginCycle() {
-  controller_.PlaceInCycle(0);
+  controller_.PlaceAtTick();
   place_.statements_left = controller_.BeginCycle();
   place_.statements_done = 0;
   // Threads that wake up at the end of their function finish.
@@ -429,6 +431,11 @@ void RewindableRun::Restore(const Kept& kept) {
   ShareWorld();
 }
 
+void RewindableRun::ShareWorld() {
+  if (world_clock_ != clock()) return UpdateWorld();
+  controller_.motion().state().world.events = world_events_;
+}
+
 std::vector<RewindableRun::Kept>::iterator RewindableRun::FirstKeptAfter(int64_t moment) {
   return std::upper_bound(kept_.begin(), kept_.end(), moment,
                           [](int64_t at, const Kept& kept) { return at < kept.place.moment; });
@@ -551,7 +558,7 @@ Result<void> RewindableRun::WriteVariable(const std::string& name, double value)
   if (NextStep() == StepKind::kHost) Step();
   Change change;
   change.variables.push_back(std::move(variables).value().front());
-  change.write = runtime::HostEvent{controller_.cycle() * scenario_.cycle_us, {initial}};
+  change.write = runtime::HostEvent{clock().UsOf(controller_.cycle()), {initial}};
   if (place_.statements_left > 0) change.write->after_statements = place_.statements_done;
   AddChange(std::move(change));
   return {};
@@ -559,7 +566,7 @@ Result<void> RewindableRun::WriteVariable(const std::string& name, double value)
 
 int64_t RewindableRun::InputInstant() const {
   // Events at 0 are those of power-on.
-  return std::max<int64_t>(1, controller_.cycle() * scenario_.cycle_us);
+  return std::max<int64_t>(1, clock().UsOf(controller_.cycle()));
 }
 
 Result<void> RewindableRun::SetInput(motion::DiType type, int index, bool level) {
@@ -620,9 +627,10 @@ void RewindableRun::UpdateWorld() {
   } else {
     const runtime::Scenario changed = ScenarioWithChanges();
     world_events_ = std::make_shared<const motion::WorldEvents>(
-        runtime::EventsOf(changed.world, changed.bus, changed.cycle_us));
+        runtime::EventsOf(changed.world, changed.bus, clock()));
   }
-  ShareWorld();
+  world_clock_ = clock();
+  controller_.motion().state().world.events = world_events_;
 }
 
 // --- Recording -----------------------------------------------------------------------------------
@@ -635,7 +643,7 @@ vm::Schedule RewindableRun::Record(const std::string& path) {
   controller_.machine().Record(&recording);
   AdvanceTo(present);
   controller_.machine().EndRecording();
-  const int64_t now_us = controller_.cycle() * scenario_.cycle_us;
+  const int64_t now_us = clock().UsOf(controller_.cycle());
   if (!Over()) recording.cut_us = now_us;
   runtime::Scenario scenario = ScenarioWithWrites(present);
   if (place_.over_cycle >= 0 && place_.over_cycle < controller_.cycle()) {

@@ -336,7 +336,9 @@ class RewindableRun {
   int64_t InputInstant() const;
   /// Gives the card the events of the scenario with its changes.
   void UpdateWorld();
-  void ShareWorld() { controller_.motion().state().world.events = world_events_; }
+  /// The same if they are those of another state of the card.
+  void ShareWorld();
+  const runtime::CardClock& clock() const { return controller_.clock(); }
 
   runtime::Scenario scenario_;
   vm::Policy own_policy_;  ///< of the scenario, after the schedule
@@ -355,6 +357,7 @@ class RewindableRun {
   std::vector<Kept> kept_;  // in order of moments; the first one is moment 0
   int64_t keep_interval_ = kKeptInterval;
   std::shared_ptr<const motion::WorldEvents> world_events_;
+  runtime::CardClock world_clock_ = controller_.clock();  ///< with which they have been computed
   StepReport report_;
   std::optional<RaceWatch> races_;
   std::vector<runtime::CardCondition> awaited_;

@@ -5,7 +5,6 @@
 
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/quantity.h"
-#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::session {
 namespace {
@@ -93,8 +92,8 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
   }
   if (const auto has = CheckCalls(walk, *run_); !has.ok()) return has.error();
   const int64_t start = run_->moment();
-  const runtime::Scenario& scenario = run_->scenario();
-  const int64_t goal_cycle = run_->controller().cycle() + runtime::CycleOf(scenario, walk.time_us);
+  const runtime::CardClock& clock = run_->controller().clock();
+  const int64_t goal_cycle = run_->controller().cycle() + clock.CyclesIn(walk.time_us);
   const bool checks_all = stops_.CheckEveryStep() || walk.goal == Goal::kStep ||
                           walk.goal == Goal::kStatement || walk.goal == Goal::kLine;
   const bool followed = run_->follows_schedule();
@@ -290,7 +289,8 @@ Result<std::vector<Session::Channel>> Session::Trace(const std::vector<std::stri
   if (!resolved.ok()) return resolved.error();
   const std::vector<Quantity>& quantities = resolved.value();
   const int64_t present = run_->moment();
-  const int64_t now = run_->controller().cycle() * run_->scenario().cycle_us;
+  const runtime::CardClock& clock = run_->controller().clock();
+  const int64_t now = clock.UsOf(run_->controller().cycle());
   to_us = std::min(to_us, now);
   const int64_t span = std::max<int64_t>(1, to_us - from_us);
   std::vector<Channel> channels(names.size());
@@ -317,9 +317,9 @@ Result<std::vector<Session::Channel>> Session::Trace(const std::vector<std::stri
     }
     filled = part + 1;
   };
-  run_->GoToCycle(from_us / run_->scenario().cycle_us);
+  run_->GoToCycle(clock.LastEnded(from_us * runtime::CardClock::kNsPerUs));
   for (;;) {
-    const int64_t time_us = run_->controller().cycle() * run_->scenario().cycle_us;
+    const int64_t time_us = clock.UsOf(run_->controller().cycle());
     if (time_us > to_us || run_->EndIsWanted()) break;
     if (time_us >= from_us) add(time_us);
     if (run_->moment() >= present) break;

@@ -84,9 +84,8 @@ using runtime::Quantity;
 /// What a thread waits for in a cycle.
 Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, const vm::Image& program,
               int64_t cycle) {
-  const int64_t cycle_us = run.scenario().cycle_us;
   if (thread.wake_cycle > cycle) {
-    return {{"until_ms", ToMs(thread.wake_cycle * cycle_us)}};
+    return {{"until_ms", ToMs(run.controller().clock().UsOf(thread.wake_cycle))}};
   }
   const vm::SlotAddress& slot = thread.wait_slot;
   Json json = Json::object();
@@ -129,7 +128,7 @@ Json ThreadView(const RewindableRun& run, int number, Language language) {
   if (runs && !ready)
     json["waits"] = WaitView(run, thread, run.image(), run.machine().state().cycle);
   if (thread.period_cycles != 0) {
-    json["next_start_ms"] = ToMs(thread.next_start * run.scenario().cycle_us);
+    json["next_start_ms"] = ToMs(run.controller().clock().UsOf(thread.next_start));
   }
   if (!runs && thread.started && thread.result_type != vm::DataType::kVoid) {
     json["result"] = Json::parse(runtime::ResultText(thread), nullptr, false);
@@ -340,7 +339,7 @@ nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channel
 
 nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
                                  const RewindableRun& run, Language language) {
-  const int64_t cycle_us = run.scenario().cycle_us;
+  const runtime::CardClock& clock = run.controller().clock();
   Json json = Json::array();
   for (const RewindableRun::Span& span : spans) {
     Json item = {{"thread", span.thread},
@@ -348,8 +347,8 @@ nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
                  {"line", span.line},
                  {"from", span.from},
                  {"to", span.to},
-                 {"from_ms", ToMs(span.from_cycle * cycle_us)},
-                 {"to_ms", ToMs(span.to_cycle * cycle_us)}};
+                 {"from_ms", ToMs(clock.UsOf(span.from_cycle))},
+                 {"to_ms", ToMs(clock.UsOf(span.to_cycle))}};
     if (span.waits) item["waits"] = WaitView(run, span.state, *span.program, span.from_cycle);
     if (span.state.run == vm::ThreadRun::kFaulted) {
       item["text"] = runtime::DescribeFault(span.state).In(language);
@@ -364,7 +363,7 @@ nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
   Json json = Json::array();
   for (const RewindableRun::Turn& turn : turns) {
     json.push_back({{"moment", turn.moment},
-                    {"time_ms", ToMs(turn.cycle * run.scenario().cycle_us)},
+                    {"time_ms", ToMs(run.controller().clock().UsOf(turn.cycle))},
                     {"thread", turn.thread},
                     {"statements", turn.statements}});
   }

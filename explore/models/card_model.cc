@@ -86,7 +86,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   // A run of a failing schedule traces them.
   runtime::TraceQuantities(scenario, controller, &errors);
   model.KeepThreads(BoundThreads(controller.machine()));
-  model.bounds_ = runtime::RunBounds::Of(scenario);
+  model.bounds_ = runtime::RunBounds::Of(scenario, model.controller_->clock());
   if (model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
     model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
@@ -111,9 +111,9 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   const int64_t end = model.host_->end_cycle();
   if (model.host_->cut()) {
     model.bounds_.until = end;
-    model.horizon_.at_ms = ToMs(end * scenario.cycle_us);
+    model.horizon_.at_ms = ToMs(model.controller_->clock().UsOf(end));
   } else {
-    model.bounds_.limit = end + runtime::CycleOf(scenario, scenario.limit_ms * 1000);
+    model.bounds_.limit = end + model.controller_->clock().CyclesIn(scenario.limit_ms * 1000);
   }
   model.BindRequirements(requirements, &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
@@ -144,7 +144,7 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     }
     BoundRequirement requirement = {{Scope::kFinal, expectation.text()}, std::move(bound).value()};
     if (expectation.at_us) {
-      requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
+      requirement.cycle = controller_->clock().CycleAt(*expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
       if (requirement.cycle > bounds_.last()) {
         errors->Add(expectation.place,
@@ -188,7 +188,7 @@ std::vector<Message> CardModel::Untested() const {
     }
   }
   for (Message& late :
-       runtime::DescribeLateEvents(scenario_.world, latest_end_ * scenario_.cycle_us, true)) {
+       runtime::DescribeLateEvents(scenario_.world, controller_->clock().UsOf(latest_end_), true)) {
     texts.push_back(std::move(late));
   }
   return texts;

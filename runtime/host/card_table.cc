@@ -21,7 +21,7 @@ void CardSlot::CatchUp(int64_t cost_us) {
 }
 
 void CardSlot::FindEarliestEnd() {
-  const auto end_us = watch ? watch->end_us() : std::nullopt;
+  const auto end_us = watch ? watch->EndUs(controller->clock()) : std::nullopt;
   earliest_end_ns = end_us ? clock->EarliestNs(*end_us - controller->NowUs()) : INT64_MAX;
 }
 

@@ -98,12 +98,11 @@ CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
   if (auto requirements = RequirementsOf(*scenario_); !requirements.empty()) {
     requirements_.emplace(std::move(requirements), std::string());
   }
-  bounds_ = RunBounds::Of(*scenario_);
 }
 
-std::optional<int64_t> CardWatch::end_us() const {
+std::optional<int64_t> CardWatch::EndUs(const CardClock& clock) const {
   if (!scenario_->until_us && scenario_->limit_ms >= kTimeMsMax) return std::nullopt;
-  return bounds_.last() * scenario_->cycle_us;
+  return clock.UsAfter(RunBounds::Of(*scenario_, clock).last());
 }
 
 void CardWatch::Listen(Controller* controller) {
@@ -124,12 +123,13 @@ void CardWatch::Listen(Controller* controller) {
 void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
   if (requirements_) requirements_->Follow(*controller);
   int64_t end_us = controller->NowUs() + microseconds;
-  if (const auto last_us = this->end_us(); last_us && end_us >= *last_us) {
+  if (const auto last_us = EndUs(controller->clock()); last_us && end_us >= *last_us) {
     end_us = *last_us;
     over_ = true;
   }
+  const CardClock& clock = controller->clock();
   for (; next_ < timed_.size(); ++next_) {
-    const int64_t due_us = CycleOf(*scenario_, *timed_[next_]->at_us) * scenario_->cycle_us;
+    const int64_t due_us = clock.UsAfter(clock.CycleAt(*timed_[next_]->at_us));
     if (due_us > end_us) break;
     if (due_us > controller->NowUs()) AdvanceTracedUs(controller, due_us - controller->NowUs());
     Judge(*timed_[next_], *controller);
@@ -144,11 +144,10 @@ void CardWatch::AdvanceTracedUs(Controller* controller, int64_t microseconds) {
   }
   if (!trace_) BeginTrace(*controller);
   const int64_t end_us = controller->NowUs() + microseconds;
-  const int64_t cycle_us = controller->options().motion.cycle_us;
   while (controller->NowUs() < end_us) {
     const int64_t cycle = controller->cycle();
     const int64_t rest_us = end_us - controller->NowUs();
-    controller->AdvanceUs(std::min(rest_us, cycle_us - controller->NowUs() % cycle_us));
+    controller->AdvanceUs(std::min(rest_us, controller->UsToNextTick()));
     if (controller->cycle() != cycle) trace_->Sample(*controller);
   }
 }
@@ -183,7 +182,8 @@ void CardWatch::Finish(Controller* controller) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (!expectation.at_us) Judge(expectation, *controller);
   }
-  const bool in_order = !over_ || bounds_.kind_of_last() == RunOver::kUntil;
+  const RunBounds bounds = RunBounds::Of(*scenario_, controller->clock());
+  const bool in_order = !over_ || bounds.kind_of_last() == RunOver::kUntil;
   if (requirements_) FinishRequirements(*controller, in_order);
   if (!in_order) {
     failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",

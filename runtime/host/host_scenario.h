@@ -49,7 +49,7 @@ class CardWatch {
   /// True if the card has reached `until_ms` or `limit_ms` of the scenario.
   bool over() const { return over_; }
   /// The instant of the card's time at which the scenario ends, if it does.
-  std::optional<int64_t> end_us() const;
+  std::optional<int64_t> EndUs(const CardClock& clock) const;
   /// To be called when the card is closed or the host has ended: checks the remaining expectations,
   /// `final` and `eventually`, and passes the results to FinishHost().
   void Finish(Controller* controller);
@@ -72,7 +72,6 @@ class CardWatch {
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
   std::vector<Message> held_;  ///< requirements, and over what
-  RunBounds bounds_;
   bool over_ = false;
   std::vector<std::string> trace_files_;
   std::optional<Trace> trace_;  // since the card was opened, when there are files

@@ -441,12 +441,12 @@ void Supervisor::Overran(int number) {
   overruns.last_start = thread.next_start;
   int64_t& longest = PresentFound().longest_runs[static_cast<size_t>(number)];
   longest = std::max(longest, overruns.missed);
-  const int64_t cycle_us = controller_.options().motion.cycle_us;
-  const double period_ms = ToMs(thread.period_cycles * cycle_us);
+  const CardClock& clock = controller_.clock();
+  const double period_ms = ToMs(clock.UsIn(thread.period_cycles));
   CardFinding& finding =
       Add({CardWarning::kPeriodOverrun, machine.image()->hash, thread.function, number, {}},
           PlaceOfInstruction(machine, number, thread.function, thread.pc), {},
-          machine.state().cycle * cycle_us);
+          clock.UsOf(machine.state().cycle));
   finding.text = MakeMessage(
       "the thread overruns its period of {0} ms here, its longest run lasts more than {1} ms",
       "线程在此处超出其周期 {0} ms，最长一次运行超过 {1} ms", period_ms,

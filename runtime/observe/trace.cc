@@ -92,9 +92,7 @@ std::string JsonString(std::string_view text) {
   return quoted + '"';
 }
 
-int64_t TimeOf(const Controller& controller) {
-  return controller.cycle() * controller.options().motion.cycle_us;
-}
+int64_t TimeOf(const Controller& controller) { return controller.clock().UsOf(controller.cycle()); }
 
 }  // namespace
 
@@ -133,10 +131,10 @@ void Trace::Sample(const Controller& controller) {
   const int64_t time_us = TimeOf(controller);
   if (!rows_.empty() && time_us > sampled_us_) AddOutputEdges(controller, time_us);
   sampled_us_ = time_us;
+  cycle_us_ = std::max(cycle_us_, controller.clock().cycle_us());
   ReadColumns(controller);
   SampleThreads(controller, time_us);
   if (rows_.empty()) {
-    cycle_us_ = controller.options().motion.cycle_us;
     for (const TraceColumn& column : columns_) {
       forms_.push_back(FormOfQuantity(column.quantity, controller));
     }
@@ -165,7 +163,8 @@ void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
   std::vector<Change> changes;
   const MotionValue* output = FindMotionPart(kHsioPart)->values.data();
   for (const motion::HsioEdge& edge : controller.motion().state().compare.edges()) {
-    const auto at_us = static_cast<int64_t>(std::round(edge.instant));
+    const auto at_us =
+        static_cast<int64_t>(std::round(controller.clock().FromCoreUs(edge.instant)));
     if (at_us >= time_us) continue;  // it is part of the sample
     for (size_t i = 0; i < columns_.size(); ++i) {
       const Quantity& quantity = columns_[i].quantity;

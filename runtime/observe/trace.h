@@ -65,7 +65,7 @@ class Trace {
   const std::vector<TraceSpan>& spans() const { return spans_; }
   const std::vector<TraceMark>& marks() const { return marks_; }
   NumberForm form(size_t column) const { return forms_[column]; }
-  /// Length of a profile cycle.
+  /// Length of the longest profile cycle.
   int64_t cycle_us() const { return cycle_us_; }
 
   /// `time_ms,sum,gpo`, then a line per row.

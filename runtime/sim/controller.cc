@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,11 +45,13 @@ uint64_t HashOf(const gtcalls::FamilyState& state) {
 Controller::Controller(const ControllerOptions& options)
     : options_(options),
       motion_(options.family->Configured(options.motion)),
+      clock_(motion_.config().cycle_us, options.family->CycleNs(options.motion)),
       family_state_(options.family->new_state()),
       commands_(&card_),
       machine_(&commands_),
       card_{*options.family, machine_, motion_, family_state_} {
   commands_.PrepareWith([this] { CatchUp(); });
+  card_.set_cycle_ns = [this](int64_t cycle_ns) { SetCycle(cycle_ns); };
 }
 
 void Controller::LogRefusals(CardLog* log, int card) {
@@ -72,7 +75,7 @@ void Controller::PassEventsOn() {
     if (observer_ != nullptr) observer_->Happened(event);
     if (event_listeners_.empty()) return;
     const Message what = DescribeCardEvent(event, family().advised);
-    for (const EventListener& each : event_listeners_) each(motion_.now(), what);
+    for (const EventListener& each : event_listeners_) each(clock_.UsOf(cycle()), what);
   });
 }
 
@@ -139,11 +142,23 @@ int16_t Controller::Execute(const gtcalls::Command& command,
 }
 
 void Controller::AdvanceUs(int64_t microseconds) {
-  pending_us_ += microseconds;
-  if (pending_us_ < options_.motion.cycle_us) return;
-  const int64_t cycles = pending_us_ / options_.motion.cycle_us;
-  pending_us_ -= cycles * options_.motion.cycle_us;
-  RunCycles(cycles);
+  pending_ns_ += microseconds * CardClock::kNsPerUs;
+  const int64_t now_ns = NowNs();
+  const int64_t last = clock_.LastEnded(now_ns);
+  if (last <= cycle()) return;
+  pending_ns_ = now_ns - clock_.NsOf(last);
+  RunCycles(last - cycle());
+}
+
+int64_t Controller::UsToNextTick() const {
+  return (clock_.NsOf(cycle() + 1) - NowNs() + CardClock::kNsPerUs - 1) / CardClock::kNsPerUs;
+}
+
+// A cycle that has begun keeps its length.
+void Controller::SetCycle(int64_t cycle_ns) {
+  if (cycle_ns == clock_.cycle_ns()) return;
+  clock_.ChangeAfter(pending_ns_ == 0 ? cycle() : cycle() + 1, cycle_ns);
+  if (clock_listener_) clock_listener_();
 }
 
 void Controller::RunCycle() {
@@ -205,7 +220,7 @@ void Controller::CatchUp() {
 }
 
 int64_t Controller::TakeBudget(int64_t cycles) {
-  pending_statements_ += cycles * options_.rate * options_.motion.cycle_us;
+  pending_statements_ += cycles * options_.rate * clock_.cycle_us();
   const int64_t budget = pending_statements_ / kStatementParts;
   pending_statements_ %= kStatementParts;
   return budget;
@@ -270,21 +285,24 @@ bool Controller::Deadlocked() const {
   return any_waits && !family().writes_variables(view());
 }
 
-double Controller::NowMs() const { return ToMs(cycle() * options_.motion.cycle_us); }
+double Controller::NowMs() const { return ToMs(clock_.UsOf(cycle())); }
 
-int64_t Controller::NowUs() const { return cycle() * options_.motion.cycle_us + pending_us_; }
+int64_t Controller::NowUs() const { return NowNs() / CardClock::kNsPerUs; }
 
 void Controller::Reset() {
   motion_.Reset();
   family().reset(family_state_);
   machine_.Load(nullptr);
+  SetCycle(family().CycleNs(options_.motion));
   if (observer_ != nullptr) observer_->Reset();
 }
 
 ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body()}; }
 
 CardBody Controller::Body() const {
-  return {motion_.state(), family_state_, pending_us_, pending_statements_};
+  CardBody body = {motion_.state(), family_state_, pending_ns_, pending_statements_};
+  if (const auto change = clock_.changed()) body.clock.Emplace(*change);
+  return body;
 }
 
 void Controller::Restore(const ControllerSnapshot& snapshot) {
@@ -295,22 +313,30 @@ void Controller::Restore(const ControllerSnapshot& snapshot) {
 void Controller::RestoreBody(const CardBody& body) {
   motion_.state() = body.motion;
   family_state_ = body.family;
-  pending_us_ = body.pending_us;
+  pending_ns_ = body.pending_ns;
+  clock_.Restore(body.clock ? std::optional(*body.clock) : std::nullopt);
   pending_statements_ = body.pending_statements;
+}
+
+uint64_t Controller::WithClock(uint64_t hash) const {
+  const auto change = clock_.changed();
+  const int64_t part_ns = pending_ns_ % CardClock::kNsPerUs;
+  if (!change && part_ns == 0) return hash;
+  return motion::StateHash().Add(hash).Add(part_ns).Add(change).value();
 }
 
 uint64_t Controller::BodyHash() const {
   const std::array<uint64_t, 4> parts = {motion_.Hash(), HashOf(family_state_),
-                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
-  return XXH64(parts.data(), sizeof parts, 0);
+  return WithClock(XXH64(parts.data(), sizeof parts, 0));
 }
 
 uint64_t Controller::Hash() const {
   const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), HashOf(family_state_),
-                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
-  return XXH64(parts.data(), sizeof parts, 0);
+  return WithClock(XXH64(parts.data(), sizeof parts, 0));
 }
 
 }  // namespace oncard::runtime

@@ -18,8 +18,10 @@
 #include "base/result.h"
 #include "gtcalls/card.h"
 #include "gtcalls/gts/family.h"
+#include "motion/common/rare.h"
 #include "motion/motion_core.h"
 #include "runtime/sim/call_text.h"
+#include "runtime/sim/card_clock.h"
 #include "runtime/sim/card_observer.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/image.h"
@@ -40,8 +42,9 @@ struct ControllerOptions {
 struct CardBody {
   motion::MotionState motion;
   gtcalls::FamilyState family;
-  int64_t pending_us = 0;
+  int64_t pending_ns = 0;
   int64_t pending_statements = 0;
+  motion::Rare<CardClock::Change> clock = {};  ///< of a card whose clock has been changed
 };
 
 /// The complete state of a card as a value.
@@ -111,11 +114,22 @@ class Controller {
 
   // --- Time ------------------------------------------------------------------------------------
 
+  /// When the cycles of the card are.
+  const CardClock& clock() const { return clock_; }
+  /// From now on calls the listener each time a command has changed the length of the cycles. There
+  /// is one; an empty one ends this.
+  void ListenToClock(std::function<void()> listener) { clock_listener_ = std::move(listener); }
   /// Advances time by microseconds; runs a profile cycle whenever a whole one has accumulated.
   void AdvanceUs(int64_t microseconds);
-  /// For callers that run cycles themselves: the host is so many microseconds after the beginning
-  /// of the present cycle, fewer than a cycle has.
-  void PlaceInCycle(int64_t microseconds) { pending_us_ = microseconds; }
+  /// For callers that run cycles themselves: the host is at this instant, which is in the present
+  /// cycle.
+  void PlaceInCycle(int64_t time_us) {
+    pending_ns_ = time_us * CardClock::kNsPerUs - clock_.NsOf(cycle());
+  }
+  /// The same for the end of the cycle that is about to run.
+  void PlaceAtTick() { pending_ns_ = 0; }
+  /// The microseconds after which the next cycle has passed, rounded up.
+  int64_t UsToNextTick() const;
   /// Runs one profile cycle: motion tick, the part of the family, then the threads with their
   /// budget.
   void RunCycle();
@@ -150,7 +164,7 @@ class Controller {
   bool Deadlocked() const;
   /// Profile cycles since power-on.
   int64_t cycle() const { return motion_.cycle(); }
-  /// The same in milliseconds.
+  /// Their end in milliseconds.
   double NowMs() const;
   /// Microseconds since power-on, including the current cycle.
   int64_t NowUs() const;
@@ -190,8 +204,15 @@ class Controller {
   /// The statements of the next `cycles`, all threads together.
   int64_t TakeBudget(int64_t cycles);
 
+  /// Instants outside, with the time of the host.
+  int64_t NowNs() const { return clock_.NsOf(cycle()) + pending_ns_; }
+  void SetCycle(int64_t cycle_ns);
+  /// The hash with what only a card has whose clock is not that of its motion core.
+  uint64_t WithClock(uint64_t hash) const;
+
   ControllerOptions options_;
   motion::MotionCore motion_;
+  CardClock clock_;
   gtcalls::FamilyState family_state_;
   gtcalls::CardCommands commands_;
   vm::Machine machine_;
@@ -202,7 +223,8 @@ class Controller {
   std::function<void()> state_observer_;
   CycleHost cycle_host_;
   int64_t host_acts_after_ = 0;  // statements of this cycle
-  int64_t pending_us_ = 0;       // host time not yet converted to cycles
+  std::function<void()> clock_listener_;
+  int64_t pending_ns_ = 0;  // host time not yet converted to cycles
   int64_t pending_statements_ =
       0;                     // rounding remainder of the last budget, in thousandths of a statement
   int64_t motion_late_ = 0;  // cycles that the threads have had and motion has not, inside a call

@@ -12,6 +12,7 @@ namespace oncard::tools {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -127,6 +128,31 @@ TEST(ToyHook, HearsOfCallsAndMayMakeOthers) {
             "0.100 card0 TOY_Move(1, {velocity=10, acceleration=1}) = 0\n"
             "0.100 card0 TOY_Hook(NULL) = 0\n"
             "0.100 card0 TOY_Close() = 0\n");
+}
+
+// The call at 2.1 ms lets the third cycle end at 3 ms; then cycles take 0.04803 ms. The first one
+// that does not end before 5 ms is the 45th, at 5.01726 ms. The axis moves 5 pulses in the first
+// cycle and then 10 in each.
+TEST(ToyCycle, ChangesWhileARunGoesOnToItsExactEnd) {
+  const ScratchFolder folder;
+  folder.Write("cycle.host.toml", R"(card = "TOY-3"
+until_ms = 5
+trace = ["axis1.prfPos"]
+expect = [
+  "axis1.prfPos == 25 @ 3ms",
+  "axis1.prfPos == 35 @ 3.04ms",
+  "axis1.prfPos == 445 @ 5ms",
+]
+)");
+  const ProcessResult host = RunToy({"exec", "--scenario=cycle.host.toml", "--trace=cycle.csv",
+                                     "--record=host.calls", "--", kFolder + "/toy_cycle"},
+                                    folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  const std::string trace = folder.Read("cycle.csv");
+  EXPECT_THAT(trace,
+              AllOf(HasSubstr("\n3,25.0\n3.048,35.0\n3.096,45.0\n"), EndsWith("\n5.017,445.0\n")));
+  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }
 
 TEST(ToyCommands, AreListed) {

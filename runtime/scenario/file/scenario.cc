@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "base/split.h"
 #include "base/trim.h"
+#include "gtcalls/family.h"
 #include "runtime/scenario/file/key_table.h"
 #include "runtime/scenario/file/keyed_toml.h"
 #include "vm/limits.h"
@@ -69,6 +70,7 @@ TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t ind
 }
 
 std::string FormatScenario(const Scenario& scenario) {
+  const auto card = gtcalls::FindCard(scenario.card);
   const auto special = [&](std::string_view key) -> SpecialText {
     if (key == "double") {
       return scenario.double_format == vm::DoubleFormat::k16_16 ? "\"16.16\"" : "\"32.16\"";
@@ -82,6 +84,7 @@ std::string FormatScenario(const Scenario& scenario) {
       return AsInlineTable(WriteKeys(*scenario.host_program, HostProgramKeys()));
     }
     if (key == "globals") return "";  // after the keys without a table
+    if (key == "cycle_us" && card && card->family->cycle_ns != 0) return "";
     return std::nullopt;
   };
   std::string text = AsTable("", WriteKeys(scenario, ScenarioKeys(), special));

@@ -160,6 +160,11 @@ class ScenarioReader : private TomlKeys {
                        scenario_.card, card->type->axis_count));
     }
     scenario_.axis_count = card->type->axis_count;
+    if (table.contains("cycle_us") && card->family->cycle_ns != 0) {
+      Fail(table.get("cycle_us")->source(),
+           MakeMessage("the card {0} itself says how long a cycle takes: remove 'cycle_us'",
+                       "控制卡 {0} 的周期由其自身决定：应去掉“cycle_us”", scenario_.card));
+    }
   }
 
   void ReadThread(const toml::table& table) {

@@ -38,7 +38,7 @@ class StatementRun {
   /// The threads that can execute the next statement; 0 at the end of the run.
   uint32_t Runnable() {
     vm::Machine& machine = controller_.machine();
-    const int64_t last = CycleOf(scenario_, scenario_.limit_ms * 1000);
+    const int64_t last = controller_.clock().CycleAt(scenario_.limit_ms * 1000);
     while (!machine.Quiet() && !controller_.Deadlocked() && controller_.cycle() < last) {
       if (left_ > 0 && machine.RunnableThreads() != 0) return machine.RunnableThreads();
       left_ = controller_.BeginCycle();

@@ -4,7 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/run/scenario_start.h"
 
 namespace oncard::runtime {
@@ -26,7 +25,7 @@ void Agenda::ReadExpectations(const Scenario& scenario, const Controller& contro
     for (const Quantity& quantity : bound.value().quantities()) {
       if (quantity.kind == QuantityKind::kThreadError) fault_expected_.push_back(quantity.thread);
     }
-    const int64_t cycle = CycleOf(scenario, expectation.at_us.value_or(0));
+    const int64_t cycle = controller.clock().CycleAt(expectation.at_us.value_or(0));
     auto& list = expectation.at_us ? timed_ : at_end_;
     list.push_back({expectation.text(), std::move(bound).value(), cycle});
   }
@@ -37,6 +36,7 @@ void Agenda::ReadExpectations(const Scenario& scenario, const Controller& contro
 // The writes are prepared now, so that none can fail later.
 void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
   if (scenario.host.empty()) return;
+  const CardClock& clock = controller->clock();
   const ControllerSnapshot before = controller->Snapshot();
   for (const HostEvent& event : scenario.host) {
     for (const InitialValue& written : event.values) {
@@ -47,7 +47,7 @@ void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, Scenar
         continue;
       }
       for (size_t i = 0; i < written.values.size(); ++i) {
-        writes_.push_back({CycleOf(scenario, event.at_us), event.after_statements.value_or(kAtEnd),
+        writes_.push_back({clock.CycleAt(event.at_us), event.after_statements.value_or(kAtEnd),
                            std::move(variables.value()[i]), written.values[i]});
       }
     }

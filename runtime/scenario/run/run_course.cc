@@ -1,17 +1,15 @@
 #include "runtime/scenario/run/run_course.h"
 
-#include "runtime/scenario/run/scenario_card.h"
-
 namespace oncard::runtime {
 
-RunBounds RunBounds::Of(const Scenario& scenario) {
-  RunBounds bounds = {CycleOf(scenario, scenario.limit_ms * 1000), std::nullopt};
-  if (scenario.until_us) bounds.until = CycleOf(scenario, *scenario.until_us);
+RunBounds RunBounds::Of(const Scenario& scenario, const CardClock& clock) {
+  RunBounds bounds = {clock.CycleAt(scenario.limit_ms * 1000), std::nullopt};
+  if (scenario.until_us) bounds.until = clock.CycleAt(*scenario.until_us);
   return bounds;
 }
 
 void RunCourse::Read(const Scenario& scenario, Controller* controller, ScenarioErrors* errors) {
-  bounds_ = RunBounds::Of(scenario);
+  bounds_ = RunBounds::Of(scenario, controller->clock());
   agenda_.Read(scenario, controller, errors);
 }
 

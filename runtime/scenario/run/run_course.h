@@ -39,7 +39,7 @@ struct RunBounds {
   int64_t limit = INT64_MAX;     ///< `limit_ms`
   std::optional<int64_t> until;  ///< `until_ms`
 
-  static RunBounds Of(const Scenario& scenario);
+  static RunBounds Of(const Scenario& scenario, const CardClock& clock);
 
   /// The first of them.
   int64_t last() const { return std::min(limit, until.value_or(INT64_MAX)); }

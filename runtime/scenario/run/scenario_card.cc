@@ -24,7 +24,8 @@ ControllerOptions CardOptions(const Scenario& scenario) {
 
 void ApplyWorld(const Scenario& scenario, Controller* controller) {
   motion::MotionCore& core = controller->motion();
-  SetUpWorld(scenario.world, scenario.bus, core);
+  const CardClock& clock = controller->clock();
+  SetUpWorld(scenario.world, scenario.bus, clock, core);
   controller->card().bus_error = scenario.bus.eni_error;
   if (!scenario.memory.empty()) {
     // Who has read it from a file or a record has checked it.
@@ -32,12 +33,12 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
         scenario.memory, scenario.mram, controller->card().family_state);
     assert(restored.ok());
   }
-  core.PowerOn(std::make_shared<const motion::WorldEvents>(
-      EventsOf(scenario.world, scenario.bus, scenario.cycle_us)));
-}
-
-int64_t CycleOf(const Scenario& scenario, int64_t microseconds) {
-  return (microseconds + scenario.cycle_us - 1) / scenario.cycle_us;
+  core.PowerOn(
+      std::make_shared<const motion::WorldEvents>(EventsOf(scenario.world, scenario.bus, clock)));
+  if (controller->family().cycle_ns == 0) return;
+  controller->ListenToClock([world = scenario.world, bus = scenario.bus, &clock, &core] {
+    FollowClock(world, bus, clock, core);
+  });
 }
 
 }  // namespace oncard::runtime

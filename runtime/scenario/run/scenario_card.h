@@ -2,8 +2,6 @@
 // Tested by tests/runtime/scenario_world_test.cc.
 #pragma once
 
-#include <cstdint>
-
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/controller.h"
 
@@ -18,9 +16,5 @@ ControllerOptions CardOptions(const Scenario& scenario);
 /// Puts a controller that was made with CardOptions() and has just been switched on into the
 /// scenario's surroundings. Times count from power-on.
 void ApplyWorld(const Scenario& scenario, Controller* controller);
-
-/// The boundary of profile cycles at which an event takes effect: the first one not before its
-/// instant.
-int64_t CycleOf(const Scenario& scenario, int64_t microseconds);
 
 }  // namespace oncard::runtime

@@ -228,7 +228,7 @@ class ScenarioRunner {
   // The cycle at which a recorded run was cut off.
   int64_t CutOfReplay() const {
     if (replayed_ == nullptr || !replayed_->cut_us) return kNever;
-    return CycleOf(scenario_, *replayed_->cut_us);
+    return controller_.clock().CycleAt(*replayed_->cut_us);
   }
 
   // The cycle up to which the run can continue without an action from here.
@@ -323,7 +323,7 @@ class ScenarioRunner {
   void WarnOfMissedWrites() {
     if (!course_.agenda().has_writes()) return;
     const Agenda::Write& write = course_.agenda().next_write();
-    const int64_t at_us = write.cycle * scenario_.cycle_us;
+    const int64_t at_us = controller_.clock().UsOf(write.cycle);
     result_.warnings.push_back(
         MakeMessage("the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' "
                     "makes it last longer",
@@ -332,7 +332,7 @@ class ScenarioRunner {
   }
 
   void WarnOfLateEvents() {
-    const int64_t end_us = controller_.cycle() * scenario_.cycle_us;
+    const int64_t end_us = controller_.clock().UsOf(controller_.cycle());
     for (Message& late : DescribeLateEvents(scenario_.world, end_us, false)) {
       result_.warnings.push_back(std::move(late));
     }
@@ -397,7 +397,7 @@ class ScenarioRunner {
   void FinishRecording() {
     controller_.machine().EndRecording();
     if (result_.interrupted || result_.end == RunEnd::kScheduleEnd) {
-      recording_->cut_us = controller_.cycle() * scenario_.cycle_us;
+      recording_->cut_us = controller_.clock().UsOf(controller_.cycle());
     }
     if (options_.record) result_.schedule = vm::ScheduleOf(own_recording_);
   }

@@ -76,13 +76,14 @@ void SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
   }
 }
 
-void RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts,
-                vm::Machine* machine, ScenarioErrors* errors) {
+void RunThreads(const std::vector<ThreadStart>& starts, Controller* controller,
+                ScenarioErrors* errors) {
+  vm::Machine& machine = controller->machine();
   for (const ThreadStart& start : starts) {
-    const int64_t period = CycleOf(scenario, start.period_ms * 1000);
-    const int16_t code = period == 0 ? machine->Run(start.thread)
-                                     : machine->RunPeriodic(start.thread, period,
-                                                            static_cast<int16_t>(start.priority));
+    const int64_t period = controller->clock().CyclesIn(start.period_ms * 1000);
+    const int16_t code = period == 0 ? machine.Run(start.thread)
+                                     : machine.RunPeriodic(start.thread, period,
+                                                           static_cast<int16_t>(start.priority));
     if (code != vm::kOk) {
       errors->Add(start.function_place,
                   MakeMessage("thread {0} cannot be started: code {1}",
@@ -102,7 +103,7 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
   if (!starts.ok()) return starts.error();
   const std::vector<ThreadStart> bound = BindThreads(starts.value(), &machine, errors);
   SetValues(scenario, bound, controller, errors);
-  RunThreads(scenario, bound, &machine, errors);
+  RunThreads(bound, controller, errors);
   return {};
 }
 

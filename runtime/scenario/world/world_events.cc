@@ -58,15 +58,24 @@ void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
 }
 
 /// In whole cycles, so that the distance is exact. Ends come before beginnings, as with faults.
-void AddHands(const std::vector<HandTurn>& hands, int64_t cycle_us, WorldEvents& events) {
-  const auto whole = [&](int64_t us) { return (us + cycle_us - 1) / cycle_us * cycle_us; };
+void AddHands(const std::vector<HandTurn>& hands, const CardClock& clock, WorldEvents& events) {
   for (const HandTurn& turn : hands) {
-    events.push_back({whole(turn.until_us), WorldEventKind::kHand, FromZero(turn.number), 0, 0});
+    events.push_back({turn.until_us, WorldEventKind::kHand, FromZero(turn.number), 0, 0});
   }
   for (const HandTurn& turn : hands) {
-    const double ms = static_cast<double>(whole(turn.until_us) - whole(turn.at_us)) / 1000;
+    const int64_t cycles = clock.CycleAt(turn.until_us) - clock.CycleAt(turn.at_us);
+    const double ms = static_cast<double>(clock.CoreUsOf(cycles)) / 1000;
     events.push_back(
-        {whole(turn.at_us), WorldEventKind::kHand, FromZero(turn.number), 0, turn.pulses / ms});
+        {turn.at_us, WorldEventKind::kHand, FromZero(turn.number), 0, turn.pulses / ms});
+  }
+}
+
+/// From instants and velocities outside to those of the core.
+void TellCore(const CardClock& clock, WorldEvents& events) {
+  for (WorldEvent& event : events) {
+    const bool turns = event.kind == WorldEventKind::kHand;
+    event.at = turns ? clock.CoreUsOf(clock.CycleAt(event.at)) : clock.CoreUs(event.at);
+    if (event.kind == WorldEventKind::kEncoderDrift) event.value *= clock.MsPerCoreMs();
   }
 }
 
@@ -88,15 +97,22 @@ void AddModule(const ModuleEvent& module, WorldEvents& events) {
   }
 }
 
-void SetUpMotor(const MotorSetup& setup, motion::MotionCore& core) {
+/// What a drive does per millisecond, as the core counts them.
+void SetUpDrive(const MotorSetup& setup, const CardClock& clock, motion::MotionCore& core) {
   const size_t index = FromZero(setup.axis);
+  const double ms = clock.MsPerCoreMs();
   if (setup.drive == motion::DriveKind::kVelocity) {
-    core.state().drives[index] =
-        motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction, core.config().ServoMs());
+    core.state().drives[index] = motion::VelocityDrive(
+        setup.gain * ms, setup.tau_ms / ms, setup.friction * ms, core.config().ServoMs());
   }
+  core.WatchLimits(index, {setup.max_vel * ms, setup.max_acc * ms * ms});
+}
+
+void SetUpMotor(const MotorSetup& setup, const CardClock& clock, motion::MotionCore& core) {
+  const size_t index = FromZero(setup.axis);
+  SetUpDrive(setup, clock, core);
   core.state().index_marks[index] = {setup.index_offset, setup.index_period};
   core.PlaceMotor(index, setup.position);
-  core.WatchLimits(index, {setup.max_vel, setup.max_acc});
 }
 
 /// The number of a slave among those that are connected.
@@ -152,25 +168,27 @@ motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
 
 }  // namespace
 
-WorldEvents EventsOf(const World& world, const BusSetup& bus, int64_t cycle_us) {
+WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& clock) {
   WorldEvents events;
   for (const InputEvent& input : world.inputs) AddInput(input, events);
   for (const SwitchMove& move : world.moves) AddMove(move, events);
   AddFaults(world.faults, events);
-  AddHands(world.hands, cycle_us, events);
+  AddHands(world.hands, clock, events);
   for (const VoltageEvent& voltage : world.voltages) {
     events.push_back(
         {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
   }
   for (const ModuleEvent& module : world.modules) AddModule(module, events);
   AddBus(bus, events);
+  TellCore(clock, events);
   std::stable_sort(events.begin(), events.end(),
                    [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
   return events;
 }
 
-void SetUpWorld(const World& world, const BusSetup& bus, motion::MotionCore& core) {
-  for (const MotorSetup& motor : world.motors) SetUpMotor(motor, core);
+void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
+                motion::MotionCore& core) {
+  for (const MotorSetup& motor : world.motors) SetUpMotor(motor, clock, core);
   for (const SwitchSetup& contact : world.switches) {
     core.state().switches.push_back(SwitchOf(contact));
   }
@@ -181,6 +199,22 @@ void SetUpWorld(const World& world, const BusSetup& bus, motion::MotionCore& cor
     core.state().modules[static_cast<size_t>(module.module)].present = true;
   }
   ConnectBus(bus, core);
+}
+
+void FollowClock(const World& world, const BusSetup& bus, const CardClock& clock,
+                 motion::MotionCore& core) {
+  for (const MotorSetup& motor : world.motors) SetUpDrive(motor, clock, core);
+  const auto events = std::make_shared<const WorldEvents>(EventsOf(world, bus, clock));
+  motion::MotionState& state = core.state();
+  // The events that have happened are the same ones, and come before the others as they did.
+  for (size_t i = 0; i < state.world.next; ++i) {
+    const WorldEvent& event = (*events)[i];
+    if (event.kind == WorldEventKind::kHand) state.plants[event.item].hand = event.value;
+    if (event.kind == WorldEventKind::kEncoderDrift) {
+      state.encoder_faults[event.item].drift = event.value;
+    }
+  }
+  state.world.events = events;
 }
 
 }  // namespace oncard::runtime

@@ -3,18 +3,24 @@
 // Tested by tests/runtime/scenario_world_test.cc.
 #pragma once
 
-#include <cstdint>
-
 #include "motion/motion_core.h"
 #include "runtime/scenario/world/bus_setup.h"
 #include "runtime/scenario/world/world_setup.h"
+#include "runtime/sim/card_clock.h"
 
 namespace oncard::runtime {
 
 /// Puts the surroundings of a core that has just been switched on into their state at power-on.
-void SetUpWorld(const World& world, const BusSetup& bus, motion::MotionCore& core);
+void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
+                motion::MotionCore& core);
 
-/// The events that follow, in order of time; for a card with this profile cycle.
-motion::WorldEvents EventsOf(const World& world, const BusSetup& bus, int64_t cycle_us);
+/// The events that follow, in order of time, in the time of the core.
+motion::WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& clock);
+
+/// Lets the surroundings go on when the clock has been changed: their velocities and times outside
+/// are others in the time of the core. A motor that is turned by hand meanwhile turns on for as
+/// long as before, but comes to another place.
+void FollowClock(const World& world, const BusSetup& bus, const CardClock& clock,
+                 motion::MotionCore& core);
 
 }  // namespace oncard::runtime

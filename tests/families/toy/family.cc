@@ -25,8 +25,14 @@ int16_t Move(Call& call) {
   return vm::kOk;
 }
 
+int16_t SetCycle(Call& call) {
+  constexpr double kNsPerUs = 1000;
+  call.card.set_cycle_ns(static_cast<int64_t>(call.value(0) * kNsPerUs + 0.5));
+  return vm::kOk;
+}
+
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr};
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr, SetCycle};
 
 }  // namespace
 
@@ -48,6 +54,7 @@ const Family& ToyFamily() {
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
       .defaults = {},
+      .cycle_ns = 1'000'000,
       .cost_us = [](const Command& command) -> int64_t {
         return command.cost == Cost::kNone ? 0 : 50;
       },
