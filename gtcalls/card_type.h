@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/common/card_defaults.h"
+
 namespace oncard::gtcalls {
 
 struct Family;
@@ -13,6 +15,8 @@ struct Family;
 struct CardType {
   std::string_view name;  ///< in scenarios and in ONCARD_CARD
   int axis_count;
+  /// What its motion core is after a reset.
+  motion::CardDefaults defaults;
 };
 
 /// The names of all types, family by family.

@@ -88,8 +88,6 @@ struct Family {
   /// Its cards; the host library opens the default one unless a user names another.
   std::span<const CardType> card_types;
   const CardType& default_card;
-  /// What the motion core of a card is after a reset.
-  motion::CardDefaults defaults;
   /// For a card whose commands count motion in cycles and not in milliseconds: what a cycle takes
   /// at power-on, in nanoseconds. Its motion core has cycles of 1 ms, whatever they take outside;
   /// Card::set_cycle_ns changes that. 0: a cycle takes what the configuration says, always.
@@ -126,10 +124,11 @@ struct Family {
   /// that is not as it must be; `path` is the file's name in the message.
   Result<void> (*restore_memory)(std::string_view text, std::string_view path, FamilyState& state);
 
-  /// The configuration of a card's motion core, with the defaults of the family.
-  motion::MotionConfig Configured(motion::MotionConfig config) const {
+  /// The configuration of a motion core for a card of that type; nullptr: of the default one.
+  motion::MotionConfig Configured(motion::MotionConfig config,
+                                  const CardType* type = nullptr) const {
     constexpr int64_t kCountedCycleUs = 1000;
-    config.defaults = defaults;
+    config.defaults = (type != nullptr ? *type : default_card).defaults;
     if (cycle_ns != 0) config.cycle_us = config.servo_us = kCountedCycleUs;
     return config;
   }

@@ -38,7 +38,7 @@ constexpr int16_t kOpenFailed = -6;
 constexpr std::string_view kResetCommands[] = {"GT_Reset"};
 
 constexpr CardType kCardTypes[] = {
-#define CARD_TYPE(name, axes) {name, axes},
+#define CARD_TYPE(name, axes) {name, axes, gts::kDefaults},
 #include "gtcalls/gts/card_types.def"
 };
 /// Assumption: the card with 8 axes, to which the manual's bits of coordinate systems belong.
@@ -130,7 +130,6 @@ const Family& GtsFamily() {
       .finish = nullptr,
       .card_types = kCardTypes,
       .default_card = kDefaultCard,
-      .defaults = gts::kDefaults,
       .cost_us = CostUs,
       .status_word = gts::StatusWord,
       .mode_number = gts::ModeNumber,

@@ -44,7 +44,7 @@ uint64_t HashOf(const gtcalls::FamilyState& state) {
 
 Controller::Controller(const ControllerOptions& options)
     : options_(options),
-      motion_(options.family->Configured(options.motion)),
+      motion_(options.family->Configured(options.motion, options.type)),
       clock_(motion_.config().cycle_us, options.family->CycleNs(options.motion)),
       family_state_(options.family->new_state()),
       commands_(&card_),

@@ -35,6 +35,8 @@ struct ControllerOptions {
   int rate = 100;
   /// The family of the card.
   const gtcalls::Family* family = &gtcalls::GtsFamily();
+  /// Its type; nullptr: the default one of the family.
+  const gtcalls::CardType* type = nullptr;
 };
 
 /// The state of a card outside the virtual machine. Statements change it only through GT commands,

@@ -38,6 +38,12 @@ TEST(CardTypes, HaveExactNames) {
   for (const char* name : {"", "gts-800", "GTS-8000", "GTS"}) EXPECT_FALSE(FindCard(name)) << name;
 }
 
+TEST(Family, ConfiguresACardAsItsType) {
+  const CardType slow = {"", 4, {.smooth_stop = 0.5}};
+  EXPECT_EQ(GtsFamily().Configured({}, &slow).defaults.smooth_stop, 0.5);
+  EXPECT_EQ(GtsFamily().Configured({}).defaults.smooth_stop, 1);
+}
+
 TEST(Family, OfGtsOpensACardWithEightAxes) {
   EXPECT_EQ(GtsFamily().default_card.name, "GTS-800");
   EXPECT_EQ(GtsFamily().name, "gts");

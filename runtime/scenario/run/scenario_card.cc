@@ -16,6 +16,7 @@ const gtcalls::Family& FamilyOf(const Scenario& scenario) {
 ControllerOptions CardOptions(const Scenario& scenario) {
   ControllerOptions options;
   options.family = &FamilyOf(scenario);
+  if (const auto card = gtcalls::FindCard(scenario.card)) options.type = card->type;
   options.motion.axis_count = scenario.axis_count;
   options.motion.cycle_us = scenario.cycle_us;
   options.rate = scenario.rate;

@@ -7,7 +7,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-constexpr CardType kCardTypes[] = {{"TOY-2", 2}, {"TOY-3", 3}};
+constexpr CardType kCardTypes[] = {{"TOY-2", 2, {}}, {"TOY-3", 3, {}}};
 
 int16_t Move(Call& call) {
   const std::span<const double> motion = call.cells(1);
@@ -53,7 +53,6 @@ const Family& ToyFamily() {
       .finish = nullptr,
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
-      .defaults = {},
       .cycle_ns = 1'000'000,
       .cost_us = [](const Command& command) -> int64_t {
         return command.cost == Cost::kNone ? 0 : 50;
