@@ -63,6 +63,8 @@ struct Call {
   std::span<vm::CommandArgument> arguments;
   /// Why the command was refused, for the call log; with code 0 it holds remarks.
   Message reason;
+  /// The same in the bits of the family's command register, for Family::finish; 0: not said.
+  uint16_t cause = 0;
 
   double value(size_t index) const { return arguments[index].value; }
   int integer(size_t index) const { return static_cast<int>(arguments[index].value); }

@@ -100,6 +100,8 @@ std::string_view SpellUnit(Unit unit) {
       return "pulse/ms";
     case Unit::kPulsePerMs2:
       return "pulse/ms^2";
+    case Unit::kPulsePerMs3:
+      return "pulse/ms^3";
     case Unit::kMillimetre:
       return "mm";
     case Unit::kMmPerS:

@@ -117,6 +117,7 @@ enum class Unit : uint8_t {
   kPulse,
   kPulsePerMs,
   kPulsePerMs2,
+  kPulsePerMs3,
   kMillimetre,
   kMmPerS,
   kMmPerS2,

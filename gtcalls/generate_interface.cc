@@ -414,7 +414,10 @@ struct Writer {{
 
 void AppendVisit(std::string* out, const Member& member) {
   if (member.pointer || member.type == Scalar::kChar) return;
-  if (member.structure != nullptr) {
+  if (member.structure != nullptr && member.array_size > 0) {
+    Append(out, "  for (auto& element : structure.{}) Visit{}(element, visit);\n", member.name,
+           member.structure->name);
+  } else if (member.structure != nullptr) {
     Append(out, "  Visit{}(structure.{}, visit);\n", member.structure->name, member.name);
   } else if (member.array_size > 0) {
     Append(out, "  for (auto& element : structure.{}) visit(element);\n", member.name);

@@ -40,8 +40,8 @@ constexpr Member Double(std::string_view name, int size = 0) {
   return {name, Scalar::kDouble, size};
 }
 constexpr Member Pointer(Scalar type, std::string_view name) { return {name, type, 0, true}; }
-constexpr Member Nested(const Structure& structure, std::string_view name) {
-  return {name, Scalar::kShort, 0, false, &structure};
+constexpr Member Nested(const Structure& structure, std::string_view name, int size = 0) {
+  return {name, Scalar::kShort, size, false, &structure};
 }
 
 }  // namespace members
@@ -50,10 +50,12 @@ constexpr Member Nested(const Structure& structure, std::string_view name) {
 template <typename Visit>
 constexpr void ForEachCell(const Structure& structure, const Visit& visit) {
   for (const Member& member : structure.members) {
-    if (member.structure != nullptr) {
-      ForEachCell(*member.structure, visit);
-    } else if (!member.pointer && member.type != Scalar::kChar) {
-      for (int i = 0; i < std::max(member.array_size, 1); ++i) visit(member.type);
+    for (int i = 0; i < std::max(member.array_size, 1); ++i) {
+      if (member.structure != nullptr) {
+        ForEachCell(*member.structure, visit);
+      } else if (!member.pointer && member.type != Scalar::kChar) {
+        visit(member.type);
+      }
     }
   }
 }
