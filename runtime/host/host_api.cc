@@ -88,7 +88,9 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   // The opening of the card is the beginning of the record, its closing the end.
   if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
   CallLog* const log = CallLog::Wanted();
-  const bool counts = code != vm::kOk && RefusalReportOfProcess() != RefusalReport::kNothing;
+  // A code without a reason is an answer.
+  const bool refused = code != vm::kOk && !reason.en.empty();
+  const bool counts = refused && RefusalReportOfProcess() != RefusalReport::kNothing;
   if (log != nullptr || counts) {
     if (log != nullptr) log->Write(made);
     if (counts) HostRefusals::OfProcess().Add(made);
@@ -115,17 +117,24 @@ int16_t RefuseInterruption(const gtcalls::Command& command) {
   return vm::kRefused;
 }
 
+/// The index of the card that a call means.
+int IndexOf(int card, const gtcalls::Command& command, CardTable& table) {
+  if (card != kSelectedCard) return card;
+  const auto card_of = Library().card_of;
+  return card_of != nullptr ? card_of(command, table) : table.selected.load();
+}
+
 /// A call up to the release of its card. `told`: as CallLockedCard().
 int16_t CallAndRelease(int card, uint16_t number, std::span<const HostArgument> arguments,
                        std::string* told) {
   const CallScope scope;
-  CardTable& table = CardTable::OfProcess();
-  const int index = card == kSelectedCard ? table.selected.load() : card;
-  if (index < 0 || index >= kCardCount) return vm::kBadParameter;
-  CardSlot& slot = table.slots[static_cast<size_t>(index)];
   const gtcalls::Family& family = LibraryFamily();
   const gtcalls::Command& command = *family.catalogue.Find(number);
   if (CallScope::Interrupts()) return RefuseInterruption(command);
+  CardTable& table = CardTable::OfProcess();
+  const int index = IndexOf(card, command, table);
+  if (index < 0 || index >= kCardCount) return vm::kBadParameter;
+  CardSlot& slot = table.slots[static_cast<size_t>(index)];
   // A thread that has the card may wait for the wait that this handler has interrupted.
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   const std::lock_guard lock(slot.mutex);
