@@ -5,11 +5,12 @@
 
 #include <variant>
 
+#include "gtcalls/ge/ge_state.h"
 #include "gtcalls/gts/gts_state.h"
 
 namespace oncard::gtcalls {
 
-/// One alternative for each family.
-using FamilyState = std::variant<GtsState>;
+/// One alternative for each kind of state; hashes contain its number.
+using FamilyState = std::variant<GtsState, GeState>;
 
 }  // namespace oncard::gtcalls

@@ -1,0 +1,30 @@
+// The command register (GT_GetCmdSts): why the last command was refused. Source: GE manual tables
+// 2-3 and 2-4.
+#pragma once
+
+#include <cstdint>
+
+namespace oncard::gtcalls {
+struct Call;
+}  // namespace oncard::gtcalls
+
+namespace oncard::gtcalls::ge {
+
+enum CommandCause : uint16_t {
+  kOverflow = 1u << 0,     ///< PX: a value beyond its range
+  kIllegal = 1u << 1,      ///< an illegal parameter; on PX also motion during an alarm
+  kEmptyMask = 1u << 2,    ///< GT_MltiUpdt(0)
+  kDriveOn = 1u << 3,      ///< the drive is enabled
+  kCaptureBusy = 1u << 5,  ///< the capture is armed, or its event is not cleared
+  kModeInUse = 1u << 6,    ///< the mode cannot be changed now
+  kAlarm = 1u << 9,        ///< PX: GT_AxisOn during an alarm
+  kInMotion = 1u << 11,    ///< not in motion
+};
+
+/// Why a command was refused: what it has said itself. Otherwise its arguments are wrong, and the
+/// cause is kOverflow for a value beyond its range, kIllegal for the number of something that the
+/// card does not have, for NULL, and for a command that is not supported (assumption: table 2-3
+/// only calls the first "overflow" and the other "illegal").
+uint16_t CauseOf(const Call& call);
+
+}  // namespace oncard::gtcalls::ge
