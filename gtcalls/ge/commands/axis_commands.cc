@@ -1,0 +1,169 @@
+// Axes: inputs, outputs, drives, events, positions. Source: GE manual chapters 3, 4.1, 6.7.2 and
+// 12. Tested by tests/gtcalls/ge/axis_command_test.cc.
+#include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/ge/commands/motion_access.h"
+#include "gtcalls/ge/status_words.h"
+
+namespace oncard::gtcalls::ge {
+namespace {
+
+using motion::DiType;
+using motion::DoType;
+
+/// GT_CtrlMode.
+constexpr int kPulseMode = 1;
+
+/// Step::mode.
+constexpr int16_t kPulseAndDirection = 0;
+constexpr int16_t kForwardAndBackward = 1;
+
+/// Assumption: how long the CLEAR output is on.
+constexpr int64_t kClearPulseUs = 10'000;
+
+}  // namespace
+
+int16_t GT_GetCmdSts(Call& call) {
+  call.Set(0, StateOf(call).command_register);
+  return vm::kOk;
+}
+
+// --- Inputs ----------------------------------------------------------------------------------
+
+int16_t GT_AlarmOn(Call& call) {
+  ChangeAxis(call.card, AxisOf(call)).alarm_on = true;
+  return vm::kOk;
+}
+
+int16_t GT_AlarmOff(Call& call) {
+  ChangeAxis(call.card, AxisOf(call)).alarm_on = false;
+  return vm::kOk;
+}
+
+namespace {
+
+int16_t SwitchLimits(Call& call, bool on) {
+  motion::Axis& axis = ChangeAxis(call.card, AxisOf(call));
+  axis.positive_limit_on = on;
+  axis.negative_limit_on = on;
+  return vm::kOk;
+}
+
+}  // namespace
+
+int16_t GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
+int16_t GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
+
+int16_t GT_LmtSns(Call& call) {
+  const auto sense = static_cast<uint32_t>(call.integer(0));
+  uint32_t positive = 0;
+  uint32_t negative = 0;
+  for (int axis = 0; axis < kAxisMax; ++axis) {
+    positive |= (sense >> (2 * axis) & 1) << axis;
+    negative |= (sense >> (2 * axis + 1) & 1) << axis;
+  }
+  ChangeIo(call.card).SetInverted(DiType::kLimitPositive, positive);
+  ChangeIo(call.card).SetInverted(DiType::kLimitNegative, negative);
+  return vm::kOk;
+}
+
+int16_t GT_EncSns(Call& call) {
+  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
+    call.card.motion.SetEncoderSense(axis, (call.integer(0) >> axis & 1) != 0);
+  }
+  return vm::kOk;
+}
+
+namespace {
+
+int16_t SwitchEncoder(Call& call, bool external) {
+  const int16_t code = CheckDriveOff(call, kDriveOn);
+  if (code == vm::kOk) call.card.motion.SetEncoderExternal(AxisOf(call), external);
+  return code;
+}
+
+}  // namespace
+
+int16_t GT_EncOn(Call& call) { return SwitchEncoder(call, true); }
+int16_t GT_EncOff(Call& call) { return SwitchEncoder(call, false); }
+
+// --- Outputs ---------------------------------------------------------------------------------
+
+int16_t GT_CtrlMode(Call& call) {
+  const size_t axis = AxisOf(call);
+  const bool pulses = call.integer(1) == kPulseMode;
+  if (!pulses && !HasVoltages(call.card)) {
+    return call.Refuse(vm::kBadParameter, {"this card puts out pulses only: mode must be 1",
+                                           "本控制卡只有脉冲输出：mode 应为 1"});
+  }
+  int16_t code = CheckDriveOff(call, kModeInUse);
+  if (code == vm::kOk) code = CheckAtRest(call, kModeInUse);
+  if (code != vm::kOk) return code;
+  GeAxisOf(call).pulses = pulses;
+  ConnectDrive(call.card, axis);
+  call.card.motion.SetEncoderExternal(axis, !pulses);
+  return vm::kOk;
+}
+
+int16_t GT_StepDir(Call& call) {
+  ChangeStep(call.card, AxisOf(call)).mode = kPulseAndDirection;
+  return vm::kOk;
+}
+
+int16_t GT_StepPulse(Call& call) {
+  ChangeStep(call.card, AxisOf(call)).mode = kForwardAndBackward;
+  return vm::kOk;
+}
+
+// --- Drives ----------------------------------------------------------------------------------
+
+int16_t GT_DrvRst(Call& call) {
+  const int16_t code = CheckDriveOff(call, kDriveOn);
+  if (code != vm::kOk) return code;
+  ChangeIo(call.card).WriteForAWhile(DoType::kClear, call.integer(0) - 1, true, kClearPulseUs);
+  return vm::kOk;
+}
+
+int16_t GT_AxisOff(Call& call) {
+  call.card.motion.ServoOff(AxisOf(call));
+  return vm::kOk;
+}
+
+// --- Events ----------------------------------------------------------------------------------
+
+namespace {
+
+/// Forgets the events whose bits are not kept.
+void ClearEvents(Card& card, size_t axis, uint32_t kept) {
+  const uint32_t latched = card.motion.axis(axis).latched & ConditionsOf(kept & kEventBits);
+  card.motion.ClearStatus(axis);
+  if (latched != 0) ChangeAxis(card, axis).latched |= latched;
+  if ((kept & kCapturedBit) == 0) ChangeCaptures(card).Clear(axis);
+  if ((kept & kRefusedBit) == 0) card.state<GeState>().axes[axis].refused = false;
+}
+
+}  // namespace
+
+int16_t GT_ClrSts(Call& call) {
+  ClearEvents(call.card, AxisOf(call), 0);
+  return vm::kOk;
+}
+
+int16_t GT_RstSts(Call& call) {
+  ClearEvents(call.card, AxisOf(call), static_cast<uint32_t>(call.integer(1)));
+  return vm::kOk;
+}
+
+// --- Positions -------------------------------------------------------------------------------
+
+int16_t GT_ZeroPos(Call& call) {
+  const int16_t code = CheckAtRest(call, kInMotion);
+  if (code == vm::kOk) PlaceAxis(call.card, AxisOf(call), 0);
+  return code;
+}
+
+int16_t GT_GetAtlPos(Call& call) {
+  call.Set(1, call.card.motion.encoder(AxisOf(call)).position);
+  return vm::kOk;
+}
+
+}  // namespace oncard::gtcalls::ge

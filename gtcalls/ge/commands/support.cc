@@ -1,0 +1,90 @@
+// What the commands of GE cards have in common.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/ge/commands/motion_access.h"
+
+namespace oncard::gtcalls::ge {
+
+int16_t RefuseAxis(Call& call, size_t axis, CommandCause cause, Message why) {
+  call.cause = cause;
+  StateOf(call).axes[axis].refused = true;
+  return call.Refuse(vm::kRefused, std::move(why));
+}
+
+int16_t CheckDriveOff(Call& call, CommandCause cause) {
+  if (!call.card.motion.axis(AxisOf(call)).servo_on) return vm::kOk;
+  return RefuseAxis(call, AxisOf(call), cause,
+                    MakeMessage("the drive of axis {0} is enabled, call GT_AxisOff first",
+                                "轴 {0} 的驱动器已使能，请先调用 GT_AxisOff", call.integer(0)));
+}
+
+int16_t CheckAtRest(Call& call, CommandCause cause) {
+  if (!call.card.motion.profile(AxisOf(call)).now.moving) return vm::kOk;
+  return RefuseAxis(
+      call, AxisOf(call), cause,
+      MakeMessage("axis {0} is moving, wait until bit 10 of GT_GetSts is 0",
+                  "轴 {0} 正在运动，请等待 GT_GetSts 的第 10 位变为 0", call.integer(0)));
+}
+
+bool HasVoltages(const Card& card) { return card.motion.config().defaults.closed_loop; }
+
+bool IsAnalogue(const Card& card, size_t axis) {
+  return HasVoltages(card) && !card.state<GeState>().axes[axis].pulses;
+}
+
+namespace {
+
+/// Assumption: the following error is judged in closed loop only.
+void UpdateErrorLimit(Card& card, size_t axis) {
+  constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
+  const uint16_t limit = card.state<GeState>().axes[axis].registers.error_limit.working;
+  ChangeControl(card, axis).error_limit = card.motion.InClosedLoop(axis) ? limit : kNever;
+}
+
+}  // namespace
+
+void ConnectDrive(Card& card, size_t axis) {
+  const bool analogue = IsAnalogue(card, axis);
+  const bool open = card.state<GeState>().axes[axis].open_loop;
+  // A drive that follows a voltage takes no pulses.
+  ChangeStep(card, axis).active = !(analogue && open);
+  card.motion.SetClosedLoop(axis, analogue && !open);
+  UpdateErrorLimit(card, axis);
+}
+
+void UpdateServo(Card& card, size_t axis) {
+  if (!HasVoltages(card)) return;
+  const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
+  motion::PidSet& set = ChangeControl(card, axis).sets[0];
+  set.kp = registers.kp.working;
+  set.ki = registers.ki.working;
+  set.kd = registers.kd.working;
+  set.kvff = registers.kvff.working;
+  set.kaff = registers.kaff.working;
+  set.integral_limit = registers.integral_limit.working;
+  motion::Dac& dac = ChangeDac(card, axis);
+  dac.bias = registers.bias.working;
+  dac.limit = static_cast<int16_t>(registers.output_limit.working);
+  UpdateErrorLimit(card, axis);
+}
+
+void PlaceAxis(Card& card, size_t axis, int32_t position) {
+  card.motion.SetProfilePosition(axis, position);
+  card.motion.SetEncoderPosition(axis, position);
+  card.motion.SynchAxis(axis);
+  card.state<GeState>().axes[axis].registers.position.Set(position);
+}
+
+void EnableDrive(Card& card, size_t axis) {
+  // Assumption: for a drive that is enabled already nothing changes.
+  if (card.motion.axis(axis).servo_on) return;
+  card.motion.StopProfile(axis, true);
+  const double actual = card.motion.encoder(axis).position;
+  PlaceAxis(card, axis, static_cast<int32_t>(std::clamp(actual, kPositionMin, kPositionMax)));
+  card.motion.ServoOn(axis);
+}
+
+}  // namespace oncard::gtcalls::ge

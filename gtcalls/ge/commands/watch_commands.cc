@@ -1,0 +1,39 @@
+// Watching values. The host library gives batches to the host (runtime/host/ge_library.cc). Source:
+// GE manual 10.1. Tested by tests/gtcalls/ge/watch_test.cc.
+#include "gtcalls/ge/commands/commands.h"
+
+namespace oncard::gtcalls::ge {
+
+int16_t GT_SetWatch(Call& call) {
+  WatchConfig config{};
+  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
+    config[axis] = static_cast<uint16_t>(call.cells(0)[axis]);
+  }
+  const auto size = static_cast<uint16_t>(call.integer(1));
+  const size_t words = size * WordsOf(config);
+  if (words > kWatchWords) {
+    call.cause = kOverflow;
+    return call.Refuse(vm::kBadParameter, MakeMessage("{0} samples need {1} words; there are {2}",
+                                                      "{0} 次采样需要 {1} 个字；共有 {2} 个", size,
+                                                      words, kWatchWords));
+  }
+  StateOf(call).watch.SetUp(config, size);
+  return vm::kOk;
+}
+
+int16_t GT_StartWatch(Call& call) {
+  if (StateOf(call).watch.size == 0) {
+    call.cause = kIllegal;
+    return call.Refuse(vm::kRefused, {"nothing is watched, call GT_SetWatch first",
+                                      "尚未设置监测数据，请先调用 GT_SetWatch"});
+  }
+  StateOf(call).watch.Start(static_cast<uint16_t>(call.integer(0)));
+  return vm::kOk;
+}
+
+int16_t GT_StopWatch(Call& call) {
+  StateOf(call).watch.Stop();
+  return vm::kOk;
+}
+
+}  // namespace oncard::gtcalls::ge
