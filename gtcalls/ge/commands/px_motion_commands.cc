@@ -1,0 +1,180 @@
+// Motion of single axes: modes, their registers, updates, stops. A setter writes a register, and
+// GT_Update begins or replans the motion with all of them. Source: GE manual chapters 5 and 12.
+// Tested by tests/gtcalls/ge/motion_command_test.cc.
+#include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/ge/commands/motion_access.h"
+
+namespace oncard::gtcalls::gep {
+namespace {
+
+using motion::ProfileMode;
+
+GeRegisters& RegistersOf(const Call& call) { return GeAxisOf(call).registers; }
+
+int16_t ChooseMode(Call& call, ProfileMode mode) {
+  const int16_t code = CheckAtRest(call, kModeInUse);
+  if (code == vm::kOk) ChangeProfile(call.card, AxisOf(call)).mode = mode;
+  return code;
+}
+
+}  // namespace
+
+int16_t GT_PrflT(Call& call) { return ChooseMode(call, ProfileMode::kTrap); }
+int16_t GT_PrflV(Call& call) { return ChooseMode(call, ProfileMode::kJog); }
+
+int16_t GT_PrflS(Call& call) {
+  return RefuseAxis(call, AxisOf(call), kIllegal,
+                    {"the S curve is not simulated yet", "尚不支持 S 曲线"});
+}
+
+// --- Registers -------------------------------------------------------------------------------
+
+int16_t GT_SetPos(Call& call) {
+  RegistersOf(call).position.waiting = call.integer(1);
+  return vm::kOk;
+}
+
+int16_t GT_GetPos(Call& call) {
+  call.Set(1, RegistersOf(call).position.waiting);
+  return vm::kOk;
+}
+
+int16_t GT_SetVel(Call& call) {
+  const ProfileMode mode = call.card.motion.profile(AxisOf(call)).mode;
+  if (call.value(1) < 0 && mode != ProfileMode::kJog) {
+    call.cause = kOverflow;
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("vel is {0}; it may be below 0 in velocity mode only",
+                                   "vel 为 {0}；仅速度模式下可为负值", call.value(1)));
+  }
+  RegistersOf(call).velocity.waiting = call.value(1);
+  return vm::kOk;
+}
+
+int16_t GT_GetVel(Call& call) {
+  call.Set(1, RegistersOf(call).velocity.waiting);
+  return vm::kOk;
+}
+
+int16_t GT_SetAcc(Call& call) {
+  RegistersOf(call).acceleration.waiting = call.value(1);
+  return vm::kOk;
+}
+
+int16_t GT_GetAcc(Call& call) {
+  call.Set(1, RegistersOf(call).acceleration.waiting);
+  return vm::kOk;
+}
+
+int16_t GT_SetMAcc(Call& call) {
+  RegistersOf(call).max_acceleration.waiting = call.value(1);
+  return vm::kOk;
+}
+
+int16_t GT_GetMAcc(Call& call) {
+  call.Set(1, RegistersOf(call).max_acceleration.waiting);
+  return vm::kOk;
+}
+
+int16_t GT_SetJerk(Call& call) {
+  RegistersOf(call).jerk.waiting = call.value(1);
+  return vm::kOk;
+}
+
+int16_t GT_GetJerk(Call& call) {
+  call.Set(1, RegistersOf(call).jerk.waiting);
+  return vm::kOk;
+}
+
+// --- Updates ---------------------------------------------------------------------------------
+
+namespace {
+
+/// 0, or 1 if the registers of an axis may not take effect now.
+int16_t CheckUpdate(Call& call, size_t axis) {
+  const motion::MotionCore& core = call.card.motion;
+  const auto number = axis + 1;
+  if ((core.axis(axis).latched & motion::kAlarmBit) != 0) {
+    return RefuseAxis(call, axis, kIllegal,
+                      MakeMessage("axis {0} has an alarm: remove its cause, and call GT_ClrSts",
+                                  "轴 {0} 报警：请排除原因并调用 GT_ClrSts", number));
+  }
+  if (!core.profile(axis).now.moving) return vm::kOk;
+  if (StateOf(call).axes[axis].stopping) {
+    return RefuseAxis(call, axis, kInMotion,
+                      MakeMessage("axis {0} is being stopped, wait until bit 10 of GT_GetSts is 0",
+                                  "轴 {0} 正在停止，请等待 GT_GetSts 的第 10 位变为 0", number));
+  }
+  if (StateOf(call).axes[axis].registers.acceleration.Waits()) {
+    return RefuseAxis(call, axis, kInMotion,
+                      MakeMessage("axis {0} is moving: its acceleration cannot be changed now",
+                                  "轴 {0} 正在运动：此时不能修改加速度", number));
+  }
+  return vm::kOk;
+}
+
+/// Begins or replans the motion of an axis with the working values of its registers.
+void UpdateMotion(Card& card, size_t axis) {
+  const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
+  // Assumption: without an acceleration an axis at rest stays there. In motion it has one.
+  const double acceleration = registers.acceleration.working;
+  if (acceleration < motion::kRateMin) return;
+  motion::Profile& profile = ChangeProfile(card, axis);
+  profile.smooth_stop = acceleration;
+  profile.trap.parameters = {acceleration, acceleration, 0, 0};
+  profile.trap.target = registers.position.working;
+  profile.trap.velocity = registers.velocity.working;
+  profile.jog.parameters = {acceleration, acceleration, 0};
+  profile.jog.velocity = registers.velocity.working;
+  card.motion.StartProfile(axis);
+}
+
+void UpdateAxis(Card& card, size_t axis) {
+  GeAxis& state = card.state<GeState>().axes[axis];
+  state.registers.Update();
+  state.stopping = false;
+  UpdateServo(card, axis);
+  UpdateMotion(card, axis);
+}
+
+}  // namespace
+
+int16_t GT_Update(Call& call) {
+  const int16_t code = CheckUpdate(call, AxisOf(call));
+  if (code == vm::kOk) UpdateAxis(call.card, AxisOf(call));
+  return code;
+}
+
+int16_t GT_MltiUpdt(Call& call) {
+  const auto mask = static_cast<uint32_t>(call.integer(0));
+  if (mask == 0) {
+    call.cause = kEmptyMask;
+    return call.Refuse(vm::kRefused,
+                       {"the mask is 0; bit 0 is axis 1", "mask 为 0；第 0 位对应轴 1"});
+  }
+  const auto selected = [mask](size_t axis) { return (mask >> axis & 1) != 0; };
+  const size_t axes = call.card.motion.axis_count();
+  for (size_t axis = 0; axis < axes; ++axis) {
+    const int16_t code = selected(axis) ? CheckUpdate(call, axis) : vm::kOk;
+    if (code != vm::kOk) return code;
+  }
+  for (size_t axis = 0; axis < axes; ++axis) {
+    if (selected(axis)) UpdateAxis(call.card, axis);
+  }
+  return vm::kOk;
+}
+
+// --- Stops -----------------------------------------------------------------------------------
+
+int16_t GT_SmthStp(Call& call) {
+  GeAxisOf(call).stopping = true;
+  call.card.motion.StopProfile(AxisOf(call), false);
+  return vm::kOk;
+}
+
+int16_t GT_AbptStp(Call& call) {
+  call.card.motion.StopProfile(AxisOf(call), true);
+  return vm::kOk;
+}
+
+}  // namespace oncard::gtcalls::gep
