@@ -14,22 +14,26 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST(CardTypes, AreNamedOnceInAllFamilies) {
-  EXPECT_THAT(CardTypeNames(), ElementsAre("GTS-400", "GTS-800", "GTS-1200"));
+  EXPECT_THAT(CardTypeNames(),
+              ElementsAre("GTS-400", "GTS-800", "GTS-1200", "GE-800-PG", "GE-200-PV", "GE-200-PG",
+                          "GE-300-PV", "GE-300-PG", "GE-400-PV", "GE-400-PG", "GE-800-PV"));
 }
 
-TEST(CardTypes, HaveTheseNumbersOfAxes) { EXPECT_THAT(AxisCounts(), ElementsAre(4, 8, 12)); }
+TEST(CardTypes, HaveTheseNumbersOfAxes) { EXPECT_THAT(AxisCounts(), ElementsAre(2, 3, 4, 8, 12)); }
 
 TEST(CardTypes, BeginWithThoseOfGts) { EXPECT_EQ(Families().front(), &GtsFamily()); }
 
 TEST(CardTypes, AreFoundWithTheirFamilyAndNumberOfAxes) {
   const struct {
     const char* name;
+    const char* family;
     int axis_count;
-  } cases[] = {{"GTS-400", 4}, {"GTS-800", 8}, {"GTS-1200", 12}};
+  } cases[] = {{"GTS-400", "gts", 4},   {"GTS-800", "gts", 8},   {"GTS-1200", "gts", 12},
+               {"GE-200-PG", "gep", 2}, {"GE-300-PV", "gep", 3}, {"GE-800-PV", "gep", 8}};
   for (const auto& c : cases) {
     const auto card = FindCard(c.name);
     ASSERT_TRUE(card) << c.name;
-    EXPECT_EQ(card->family, &GtsFamily());
+    EXPECT_EQ(card->family->name, c.family);
     EXPECT_EQ(card->type->axis_count, c.axis_count);
   }
 }

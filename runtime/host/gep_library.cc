@@ -1,0 +1,36 @@
+// libgep: the services of the host library for GE cards for point-to-point motion. Tested by
+// tests/runtime/ge_host_test.cc.
+#include <cstddef>
+
+#include "gep.h"
+#include "gtcalls/ge/gep_family.h"
+#include "runtime/host/ge_library.h"
+#include "runtime/host/library.h"
+
+namespace oncard::runtime {
+namespace {
+
+static_assert(sizeof(TAxis) == sizeof(WatchedAxis) &&
+              offsetof(TAxis, Voltage) == offsetof(WatchedAxis, voltage) &&
+              sizeof(TWatchBuffer) == AXIS_NUM * sizeof(WatchedAxis));
+
+constexpr HostService kServices[] = {
+    // command, before_open, function
+    {"GT_Open", true, OpenGeCard},           {"GT_Close", false, CloseCard},
+    {"GT_Reset", false, ResetCard},          {"GT_HardRst", false, ResetCard},
+    {"GT_HookCommand", true, HookCommand},   {"GT_GetCurrentCardNo", true, GetCurrentCard},
+    {"GT_SwitchtoCardNo", true, SelectCard}, {"GT_GetWatch", false, GetWatch},
+};
+
+}  // namespace
+
+const HostLibrary& Library() {
+  static const HostLibrary kLibrary = {.family = gtcalls::GepFamily(),
+                                       .services = kServices,
+                                       .card_of = GeCardOf,
+                                       .host_hears = HostHearsGe,
+                                       .tell_host = TellGeHost};
+  return kLibrary;
+}
+
+}  // namespace oncard::runtime
