@@ -103,7 +103,7 @@ void AfterTick(Card& card) {
 
 bool ActsEachCycle(const CardView& card) {
   const GeState& state = card.state<GeState>();
-  return state.watch.running || std::ranges::any_of(state.axes, &GeAxis::auto_stop);
+  return state.watch.batches.running() || std::ranges::any_of(state.axes, &GeAxis::auto_stop);
 }
 
 }  // namespace

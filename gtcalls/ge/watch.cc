@@ -1,5 +1,9 @@
 #include "gtcalls/ge/watch.h"
 
+#include <array>
+#include <iterator>
+#include <span>
+
 #include "gtcalls/card.h"
 #include "motion/common/rounding.h"
 #include "motion/common/state_hash.h"
@@ -49,40 +53,24 @@ void Watch::SetUp(const WatchConfig& chosen, uint16_t batch) {
   *this = {};
   config = chosen;
   size = batch;
+  if (ValuesOf(config) > 0) batches.SetUp(ValuesOf(config), batch);
 }
 
-void Watch::Start(uint16_t cycles_between) {
+void Watch::Start(uint16_t left_out) {
   started = true;
-  running = true;
-  interval = cycles_between;
-  left_out = 0;
-  samples.clear();
-  // Reserved here, so that a cycle does not allocate.
-  samples.reserve(2 * BatchValues());
+  batches.Start(left_out);
 }
 
 void Watch::Advance(const CardView& card) {
-  if (!running) return;
-  if (left_out > 0) {
-    --left_out;
-    return;
-  }
-  left_out = interval;
-  if (samples.size() == 2 * BatchValues()) return;
+  if (!batches.Due()) return;
+  std::array<double, kAxisMax * std::size(kWatchedValues)> row;
+  size_t values = 0;
   for (size_t axis = 0; axis < config.size(); ++axis) {
     for (const WatchedValue value : kWatchedValues) {
-      if ((config[axis] & value) != 0) samples.push_back(ValueOf(card.motion, axis, value));
+      if ((config[axis] & value) != 0) row[values++] = ValueOf(card.motion, axis, value);
     }
   }
-}
-
-std::span<const double> Watch::Batch() const {
-  const size_t values = BatchValues();
-  return std::span(samples).first(samples.size() >= values ? values : 0);
-}
-
-void Watch::DropBatch() {
-  samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(BatchValues()));
+  batches.Append(std::span(row).first(values));
 }
 
 }  // namespace oncard::gtcalls::ge

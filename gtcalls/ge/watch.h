@@ -1,16 +1,15 @@
-// The watch (GT_SetWatch and others): chosen values of the axes, sampled at control cycles into two
-// banks. A full bank is given to the host as a batch; while both are full, samples are lost.
-// Source: GE manual 10.1. Tested by tests/gtcalls/ge/watch_test.cc.
+// The watch (GT_SetWatch and others): chosen values of the axes, sampled at control cycles. A full
+// bank of the recorder is given to the host as a batch. Source: GE manual 10.1. Tested by
+// tests/gtcalls/ge/watch_test.cc.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <tuple>
-#include <vector>
 
 #include "gtcalls/ge/limits.h"
+#include "motion/common/recorder.h"
 
 namespace oncard::gtcalls {
 struct CardView;
@@ -41,31 +40,18 @@ size_t ValuesOf(const WatchConfig& config);
 
 struct Watch {
   WatchConfig config{};
-  uint16_t size = 0;     ///< samples of a batch; 0: not set up
+  uint16_t size = 0;     ///< samples of a batch
   bool started = false;  ///< since it was set up
-  bool running = false;
-  uint16_t interval = 0;        ///< cycles left out between two samples
-  uint16_t left_out = 0;        ///< still to be left out
-  std::vector<double> samples;  ///< at most two batches, the older one first
+  motion::Recorder batches;
 
-  /// Ends what runs.
+  /// Ends what runs. Nothing is set up if nothing is chosen.
   void SetUp(const WatchConfig& chosen, uint16_t batch);
-  /// Begins anew; to be called after SetUp(). The first sample is that of the next cycle.
-  void Start(uint16_t cycles_between);
-  void Stop() { running = false; }
+  /// Begins anew, leaving cycles out between two samples; to be called after SetUp().
+  void Start(uint16_t left_out);
   /// One control cycle.
   void Advance(const CardView& card);
-  /// The values of the oldest full batch, sample by sample; empty if there is none.
-  std::span<const double> Batch() const;
-  /// Frees it.
-  void DropBatch();
 
-  auto Fields() const {
-    return std::tie(config, size, started, running, interval, left_out, samples);
-  }
-
- private:
-  size_t BatchValues() const { return size * ValuesOf(config); }
+  auto Fields() const { return std::tie(config, size, started, batches); }
 };
 
 }  // namespace oncard::gtcalls::ge

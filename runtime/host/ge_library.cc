@@ -140,7 +140,7 @@ int16_t GetWatch(ServiceCall& call) {
                   {"buffer has no array for a watched value", "buffer 中没有某个监测数据的数组"});
   }
   state.command_register = 0;
-  const std::span<const double> batch = watch.Batch();
+  const std::span<const double> batch = watch.batches.FullBank();
   call.arguments[1].cells[0] = batch.empty() ? 0 : 1;
   if (batch.empty()) return vm::kOk;
   auto sample = batch.begin();
@@ -149,7 +149,7 @@ int16_t GetWatch(ServiceCall& call) {
       Store(ArrayOf(axes[axis], value), value, i, *sample++);
     });
   }
-  watch.DropBatch();
+  watch.batches.FreeBank();
   return vm::kOk;
 }
 

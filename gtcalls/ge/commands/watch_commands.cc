@@ -22,7 +22,7 @@ int16_t GT_SetWatch(Call& call) {
 }
 
 int16_t GT_StartWatch(Call& call) {
-  if (StateOf(call).watch.size == 0) {
+  if (!StateOf(call).watch.batches.set_up()) {
     call.cause = kIllegal;
     return call.Refuse(vm::kRefused, {"nothing is watched, call GT_SetWatch first",
                                       "尚未设置监测数据，请先调用 GT_SetWatch"});
@@ -32,7 +32,7 @@ int16_t GT_StartWatch(Call& call) {
 }
 
 int16_t GT_StopWatch(Call& call) {
-  StateOf(call).watch.Stop();
+  StateOf(call).watch.batches.Stop();
   return vm::kOk;
 }
 

@@ -25,10 +25,10 @@ TEST(GeWatch, SamplesTheChosenValuesOfEachAxis) {
   card.MoveT(1, 1000, 10, 4);
   card.Do("GT_SetAtlPos", {3, 33});
   card.Cycle();
-  EXPECT_THAT(card.state().watch.Batch(), IsEmpty());
+  EXPECT_THAT(card.state().watch.batches.FullBank(), IsEmpty());
   card.Cycle();
   // Velocities of 1 and 2 after 0.25 and 0.5 ms; 1/8 and 1/2 of a pulse.
-  EXPECT_THAT(card.state().watch.Batch(), ElementsAre(0, 1, 33, 1, 2, 33));
+  EXPECT_THAT(card.state().watch.batches.FullBank(), ElementsAre(0, 1, 33, 1, 2, 33));
 }
 
 TEST(GeWatch, LeavesCyclesOutBetweenSamples) {
@@ -37,7 +37,7 @@ TEST(GeWatch, LeavesCyclesOutBetweenSamples) {
   card.Do("GT_StartWatch", {2});
   card.MoveT(1, 1000, 10, 4);
   for (int i = 0; i < 7; ++i) card.Cycle();
-  EXPECT_THAT(card.state().watch.Batch(), ElementsAre(1, 4, 7));
+  EXPECT_THAT(card.state().watch.batches.FullBank(), ElementsAre(1, 4, 7));
 }
 
 TEST(GeWatch, LosesSamplesWhileBothBanksAreFull) {
@@ -47,15 +47,15 @@ TEST(GeWatch, LosesSamplesWhileBothBanksAreFull) {
   card.MoveT(1, 1000, 10, 4);
   for (int i = 0; i < 6; ++i) card.Cycle();
   Watch& watch = card.state().watch;
-  EXPECT_THAT(watch.Batch(), ElementsAre(1, 2));
-  watch.DropBatch();
-  EXPECT_THAT(watch.Batch(), ElementsAre(3, 4));
-  watch.DropBatch();
-  EXPECT_THAT(watch.Batch(), IsEmpty());
+  EXPECT_THAT(watch.batches.FullBank(), ElementsAre(1, 2));
+  watch.batches.FreeBank();
+  EXPECT_THAT(watch.batches.FullBank(), ElementsAre(3, 4));
+  watch.batches.FreeBank();
+  EXPECT_THAT(watch.batches.FullBank(), IsEmpty());
   card.Cycle();
   card.Do("GT_StopWatch");
   card.Cycle();
-  EXPECT_THAT(watch.samples, ElementsAre(7));
+  EXPECT_THAT(watch.batches.FullBank(), IsEmpty());
 }
 
 TEST(GeWatch, MustFitABank) {
