@@ -47,7 +47,9 @@ struct GeAxis {
   bool stopping = false;   ///< GT_SmthStp has ended the motion in progress, or the last one
   bool refused = false;    ///< an event: a command for this axis has been refused
 
-  auto Fields() const { return std::tie(registers, pulses, open_loop, auto_stop, stopping, refused); }
+  auto Fields() const {
+    return std::tie(registers, pulses, open_loop, auto_stop, stopping, refused);
+  }
 };
 
 struct GeState {

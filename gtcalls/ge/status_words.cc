@@ -82,6 +82,8 @@ int ModeNumber(motion::ProfileMode mode) {
   switch (mode) {
     case motion::ProfileMode::kJog:
       return 1;
+    case motion::ProfileMode::kSCurve:
+      return 2;
     default:
       return 0;
   }

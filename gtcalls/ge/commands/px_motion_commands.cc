@@ -20,12 +20,8 @@ int16_t ChooseMode(Call& call, ProfileMode mode) {
 }  // namespace
 
 int16_t GT_PrflT(Call& call) { return ChooseMode(call, ProfileMode::kTrap); }
+int16_t GT_PrflS(Call& call) { return ChooseMode(call, ProfileMode::kSCurve); }
 int16_t GT_PrflV(Call& call) { return ChooseMode(call, ProfileMode::kJog); }
-
-int16_t GT_PrflS(Call& call) {
-  return RefuseAxis(call, AxisOf(call), kIllegal,
-                    {"the S curve is not simulated yet", "尚不支持 S 曲线"});
-}
 
 // --- Registers -------------------------------------------------------------------------------
 
@@ -90,6 +86,13 @@ int16_t GT_GetJerk(Call& call) {
 
 namespace {
 
+/// True if a register waits that may not change in motion. Assumption: the jerk of the S curve and
+/// the acceleration of the velocity mode, which the manual does not mention.
+bool HasFixedChange(ProfileMode mode, const GeRegisters& registers) {
+  if (mode != ProfileMode::kSCurve) return registers.acceleration.Waits();
+  return registers.velocity.Waits() || registers.max_acceleration.Waits() || registers.jerk.Waits();
+}
+
 /// 0, or 1 if the registers of an axis may not take effect now.
 int16_t CheckUpdate(Call& call, size_t axis) {
   const motion::MotionCore& core = call.card.motion;
@@ -105,27 +108,41 @@ int16_t CheckUpdate(Call& call, size_t axis) {
                       MakeMessage("axis {0} is being stopped, wait until bit 10 of GT_GetSts is 0",
                                   "轴 {0} 正在停止，请等待 GT_GetSts 的第 10 位变为 0", number));
   }
-  if (StateOf(call).axes[axis].registers.acceleration.Waits()) {
-    return RefuseAxis(call, axis, kInMotion,
-                      MakeMessage("axis {0} is moving: its acceleration cannot be changed now",
-                                  "轴 {0} 正在运动：此时不能修改加速度", number));
+  if (HasFixedChange(core.profile(axis).mode, StateOf(call).axes[axis].registers)) {
+    return RefuseAxis(
+        call, axis, kInMotion,
+        MakeMessage("axis {0} is moving: in motion only the target position may change, in modes T "
+                    "and V also the velocity",
+                    "轴 {0} 正在运动：运动中只能修改目标位置，T 和速度模式下还可修改速度", number));
   }
   return vm::kOk;
 }
 
-/// Begins or replans the motion of an axis with the working values of its registers.
+/// Begins or replans the motion of an axis with the working values of its registers. Assumption:
+/// without an acceleration an axis at rest stays there. In motion it has one.
 void UpdateMotion(Card& card, size_t axis) {
   const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
-  // Assumption: without an acceleration an axis at rest stays there. In motion it has one.
   const double acceleration = registers.acceleration.working;
-  if (acceleration < motion::kRateMin) return;
   motion::Profile& profile = ChangeProfile(card, axis);
-  profile.smooth_stop = acceleration;
-  profile.trap.parameters = {acceleration, acceleration, 0, 0};
-  profile.trap.target = registers.position.working;
-  profile.trap.velocity = registers.velocity.working;
-  profile.jog.parameters = {acceleration, acceleration, 0};
-  profile.jog.velocity = registers.velocity.working;
+  if (profile.mode != ProfileMode::kSCurve && acceleration < motion::kRateMin) return;
+  switch (profile.mode) {
+    case ProfileMode::kSCurve:
+      profile.s_curve.limits = {registers.velocity.working, registers.max_acceleration.working,
+                                registers.jerk.working};
+      profile.s_curve.target = registers.position.working;
+      break;
+    case ProfileMode::kJog:
+      profile.smooth_stop = acceleration;
+      profile.jog.parameters = {acceleration, acceleration, 0};
+      profile.jog.velocity = registers.velocity.working;
+      break;
+    default:
+      profile.smooth_stop = acceleration;
+      profile.trap.parameters = {acceleration, acceleration, 0, 0};
+      profile.trap.target = registers.position.working;
+      profile.trap.velocity = registers.velocity.working;
+      break;
+  }
   card.motion.StartProfile(axis);
 }
 

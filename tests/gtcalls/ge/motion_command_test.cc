@@ -56,6 +56,69 @@ TEST(GeModeT, ReachesBothEndsOfItsRange) {
   EXPECT_EQ(card.Read("GT_GetPrfPos", {1}), -1073741824);
 }
 
+TEST(GeModeS, MovesAsTheManualsExample) {
+  GeTestCard card;
+  card.Do("GT_PrflS", {1});
+  card.Do("GT_SetPos", {1, 200000});
+  card.Do("GT_SetVel", {1, 166.7});
+  card.Do("GT_SetMAcc", {1, 4});
+  card.Do("GT_SetJerk", {1, 0.001});
+  card.Do("GT_Update", {1});
+  // The acceleration never reaches 4: the ramp is 2 sqrt(166.7 / 0.001) = 816.578 ms long.
+  card.Run(400);
+  EXPECT_NEAR(card.Read("GT_GetPrfPos", {1}), 0.001 * 400 * 400 * 400 / 6, 1);
+  EXPECT_NEAR(400 + card.RunToRest(1), 2016.338, kCycle);
+  EXPECT_EQ(card.Read("GT_GetPrfPos", {1}), 200000);
+}
+
+/// Mode S, 50 pulse/ms, 0.5 pulse/ms^2, 0.01 pulse/ms^3: ramps of 150 ms and 3750 pulses.
+void MoveS(GeTestCard* card, double position) {
+  card->Do("GT_PrflS", {1});
+  card->Do("GT_SetPos", {1, position});
+  card->Do("GT_SetVel", {1, 50});
+  card->Do("GT_SetMAcc", {1, 0.5});
+  card->Do("GT_SetJerk", {1, 0.01});
+  card->Do("GT_Update", {1});
+}
+
+TEST(GeModeS, StopsSmoothlyAndAtOnce) {
+  GeTestCard card;
+  MoveS(&card, 100000);
+  card.Run(250);
+  EXPECT_EQ(card.Read("GT_GetPrfVel", {1}), 50);
+  card.Do("GT_SmthStp", {1});
+  card.Refuses(1, kInMotion, "GT_Update", {1});
+  EXPECT_NEAR(card.RunToRest(1), 150, kCycle);
+  EXPECT_EQ(card.Read("GT_GetPrfPos", {1}), 3750 + 5000 + 3750);
+  card.Do("GT_Update", {1});
+  card.Run(200);
+  card.Do("GT_AbptStp", {1});
+  EXPECT_EQ(card.Read("GT_GetPrfVel", {1}), 0);
+  EXPECT_EQ(card.Read("GT_GetPrfPos", {1}), 12500 + 3750 + 2500);
+}
+
+TEST(GeModeS, TakesOnlyAnotherTargetOnTheWay) {
+  GeTestCard card;
+  MoveS(&card, 20000);
+  card.Run(200);
+  const struct {
+    const char* set;
+    double value;
+    double working;
+  } cases[] = {{"GT_SetVel", 60, 50}, {"GT_SetMAcc", 1, 0.5}, {"GT_SetJerk", 0.02, 0.01}};
+  for (const auto& c : cases) {
+    card.Do(c.set, {1, c.value});
+    card.Refuses(1, kInMotion, "GT_Update", {1});
+    card.Do(c.set, {1, c.working});
+  }
+  card.Do("GT_SetAcc", {1, 3});  // not of this mode
+  card.Do("GT_SetPos", {1, 40000});
+  card.Do("GT_Update", {1});
+  // Two ramps of 3750 pulses, 32500 at 50.
+  EXPECT_NEAR(200 + card.RunToRest(1), 150 + 650 + 150, kCycle);
+  EXPECT_EQ(card.Read("GT_GetPrfPos", {1}), 40000);
+}
+
 TEST(GeModeV, PassesThroughRestWhenTheVelocityChangesItsSign) {
   GeTestCard card;
   card.Do("GT_PrflV", {1});
@@ -190,10 +253,13 @@ TEST(GeModes, ChangeAtRestOnly) {
   EXPECT_EQ(card.Read("GT_GetMode", {1}), 0x800);
   card.Do("GT_AuStpOn", {1});
   EXPECT_EQ(card.Read("GT_GetMode", {1}), 0x880);
+  card.Do("GT_PrflS", {1});
+  EXPECT_EQ(card.Read("GT_GetMode", {1}), 0x1080);
   card.Do("GT_AuStpOff", {1});
   card.MoveT(1, 1000, 1, 0.1);
   EXPECT_EQ(card.Read("GT_GetMode", {1}), 0);
-  for (const char* mode : {"GT_PrflT", "GT_PrflV"}) card.Refuses(1, kModeInUse, mode, {1});
+  for (const char* mode : {"GT_PrflT", "GT_PrflS", "GT_PrflV"})
+    card.Refuses(1, kModeInUse, mode, {1});
 }
 
 TEST(GeStops, DecelerateOrEndAtOnce) {
