@@ -137,6 +137,10 @@ struct Family {
     constexpr int64_t kNsPerUs = 1000;
     return cycle_ns != 0 ? cycle_ns : config.cycle_us * kNsPerUs;
   }
+  /// True if its cards execute motion programs.
+  bool HasPrograms() const {
+    return std::ranges::any_of(catalogue.commands(), &Command::in_motion_program);
+  }
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];
   }

@@ -165,6 +165,18 @@ class ScenarioReader : private TomlKeys {
            MakeMessage("the card {0} itself says how long a cycle takes: remove 'cycle_us'",
                        "控制卡 {0} 的周期由其自身决定：应去掉“cycle_us”", scenario_.card));
     }
+    if (!card->family->HasPrograms()) RefuseProgramKeys(table);
+  }
+
+  /// The text of a scenario without a program has an empty one.
+  void RefuseProgramKeys(const toml::table& table) {
+    for (const std::string_view key : {"program", "globals", "thread"}) {
+      if (!table.contains(key) || (key == "program" && scenario_.program.empty())) continue;
+      Fail(
+          table.get(key)->source(),
+          MakeMessage("'{0}' is for motion programs, and the card {1} has none: remove it",
+                      "“{0}”用于运动程序，而控制卡 {1} 没有运动程序：应去掉", key, scenario_.card));
+    }
   }
 
   void ReadThread(const toml::table& table) {
