@@ -1,5 +1,5 @@
 // What the host libraries of both GE families share: up to 16 cards of which one is current, the
-// handler of commands, and the watch. Tested by tests/runtime/ge_host_test.cc.
+// handler of commands, and the watch. Tested by tests/families/ge/ge_family_test.cc.
 #pragma once
 
 #include <cstdint>

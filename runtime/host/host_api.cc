@@ -80,6 +80,10 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   } else if (!read.ok()) {
     code = static_cast<int16_t>(read.error().code);
     reason = read.error().message;
+    if (open && service == nullptr && family.finish != nullptr) {
+      gtcalls::Call unread{command, slot.controller->card(), vm::kHostCaller, arguments, {}};
+      code = family.finish(unread, code);
+    }
   } else {
     code = Dispatch(command, service, slot, arguments, &reason);
     WriteOutputs(command, slot.call, code);
