@@ -8,14 +8,17 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "base/files.h"
+#include "gtcalls/family.h"
 #include "runtime/host/eni_file.h"
 #include "runtime/host/host_report.h"
 #include "runtime/host/host_scenario.h"
+#include "runtime/scenario/run/scenario_card.h"
 #include "tools/child_process.h"
 #include "tools/host_program.h"
 #include "tools/isolation.h"
@@ -85,8 +88,10 @@ Message DescribeEndOfProgram(const std::string& name, int status) {
                      WEXITSTATUS(status));
 }
 
-/// The line of docs/host-api.md that builds a host.
-std::vector<std::string> BuildLine(const runtime::HostProgram& host, const std::string& program) {
+/// The line of docs/host-api.md that builds the host of a scenario, for the family of its card.
+std::vector<std::string> BuildLine(const runtime::Scenario& scenario, const std::string& program) {
+  const runtime::HostProgram& host = *scenario.host_program;
+  const std::string library = "-l" + std::string(runtime::FamilyOf(scenario).name);
   const HeaderFolders headers = FindHeaders();
   const LibraryFolders libraries = FindLibraries();
   std::vector<std::string> line = CompilerOf(host.source);
@@ -98,21 +103,22 @@ std::vector<std::string> BuildLine(const runtime::HostProgram& host, const std::
   for (const std::string& folder : {libraries.own, libraries.of32bits}) {
     if (!folder.empty()) line.push_back("-L" + folder);
   }
-  line.insert(line.end(), {"-lgts", "-lm", "-o", program});
+  line.insert(line.end(), {library, "-lm", "-o", program});
   return line;
 }
 
 /// Compiles the source. False if that fails.
 bool BuildHost(const runtime::Scenario& scenario, const HostTestOptions& options,
                const std::string& program, TestOutcome* outcome) {
-  const runtime::HostProgram& host = *scenario.host_program;
-  const auto built = RunChild({BuildLine(host, program), FolderOf(scenario), {}, options.limit_s});
+  const std::string& source = scenario.host_program->source;
+  const auto built =
+      RunChild({BuildLine(scenario, program), FolderOf(scenario), {}, options.limit_s});
   if (!built.ok()) {
     outcome->failures.push_back(built.error().message);
   } else if (built.value().out_of_time) {
     outcome->failures.push_back(TookTooLong(options.limit_s));
   } else if (built.value().status != 0) {
-    const Message text = MakeMessage("'{0}' cannot be compiled", "“{0}”无法编译", host.source);
+    const Message text = MakeMessage("'{0}' cannot be compiled", "“{0}”无法编译", source);
     outcome->failures.push_back(WithOutput(text, built.value().output));
   } else {
     if (const std::string lines = LastLines(built.value().output); !lines.empty()) {

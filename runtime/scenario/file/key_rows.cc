@@ -274,8 +274,8 @@ constexpr Key<HostProgram> kHostProgramKeys[] = {
     {{"source",
       KeyType::Text(),
       {"a host in C or C++, relative to the scenario's folder, which is compiled and linked with "
-       "`libgts`",
-       "C 或 C++ 主机程序，相对于场景所在文件夹；会被编译并与 `libgts` 链接"},
+       "the library of the card's family",
+       "C 或 C++ 主机程序，相对于场景所在文件夹；会被编译并与该卡系列的库链接"},
       {"an error without `command`", "没有 `command` 时为错误"}},
      &HostProgram::source},
     {{"flags",
