@@ -40,6 +40,8 @@ struct InterfaceForm {
   std::string_view head;
   /// The topics of the catalogue with their notes, for the documentation.
   std::span<const TopicLine> topics;
+  /// The page of the commands up to its first topic.
+  std::string_view page_head = {};
 
   // Parts that a family need not have.
 

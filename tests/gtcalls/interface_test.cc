@@ -135,11 +135,13 @@ std::string ReadAll(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(InterfaceTest, TheCommandReferenceIsUpToDate) {
-  const std::string generated = ReadAll(ONCARD_GENERATED_COMMANDS);
-  ASSERT_FALSE(generated.empty());
-  EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs/commands.md") == generated)
-      << "run `cmake --build . --target update_commands_page`";
+TEST(InterfaceTest, TheCommandReferencesAreUpToDate) {
+  for (const std::string page : {"/commands.md", "/commands-gep.md"}) {
+    const std::string generated = ReadAll(ONCARD_GENERATED_PAGES + page);
+    ASSERT_FALSE(generated.empty()) << page;
+    EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs" + page) == generated)
+        << page << ": run `cmake --build . --target update_commands_page`";
+  }
 }
 
 }  // namespace
