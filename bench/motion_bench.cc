@@ -235,12 +235,12 @@ void MeasurePath() {
                                        corners[static_cast<size_t>((number + 1) % kSides)]);
       slot.velocity = 15;
       slot.acceleration = 0.2;
-      return core.AppendToCrd(0, 0, slot);
+      return core.CrdAt(0).Append(0, slot);
     };
     int sent = 0;
     ticks = 0;
     while (sent < kSegments && append(sent)) ++sent;
-    core.StartCrd(0, 0, false);
+    core.CrdAt(0).Start(0, false);
     for (; crd.run.running; ++ticks) {
       while (sent < kSegments && append(sent)) ++sent;
       if (sent == kSegments && !fifo.Ahead().empty()) fifo.Flush();

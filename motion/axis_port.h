@@ -1,6 +1,6 @@
 // All that a sequence such as homing may see and do of one axis: it moves the profile of the same
-// number in mode Trap, and uses limits, inputs and captures. Tested by
-// tests/gtcalls/home_command_test.cc.
+// number in mode Trap, and uses limits, inputs and captures. Lanes must have been left. Tested by
+// tests/motion/homing_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,17 @@
 #include <optional>
 
 #include "motion/common/sample.h"
+#include "motion/core_parts.h"
 #include "motion/io/capture.h"
 #include "motion/profiles/trap_mode.h"
 
 namespace oncard::motion {
 
-class MotionCore;
-
 class AxisPort {
  public:
-  AxisPort(MotionCore& core, size_t axis) : core_(core), axis_(axis) {}
+  AxisPort(CoreParts core, size_t axis) : core_(core), index_(axis) {}
 
-  size_t axis() const { return axis_; }
+  size_t axis() const { return index_; }
   bool enabled() const;
   /// The profile's output, which moves until the axis' input shaper has settled.
   Sample now() const;
@@ -57,8 +56,10 @@ class AxisPort {
   double ProfilePositionOf(size_t encoder, double position, double ahead) const;
 
  private:
-  MotionCore& core_;
-  size_t axis_;
+  const Axis& registers() const { return core_.state.axes[index_]; }
+
+  CoreParts core_;
+  size_t index_;
 };
 
 }  // namespace oncard::motion

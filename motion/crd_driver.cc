@@ -14,7 +14,10 @@ Coordinates PositionOf(const Crd& crd, std::span<const Profile> profiles) {
   return position;
 }
 
+// --- Registers ---------------------------------------------------------------------------------
+
 void CrdDriver::SetUp(CrdParameters parameters) {
+  card_.LeaveLanes();
   for (size_t i = 0; i < crd_.dimension(); ++i) {
     Profile& left = card_.profile(crd_.members[i]);
     if (left.mode == ProfileMode::kCrd) left.mode = ProfileMode::kTrap;
@@ -37,6 +40,60 @@ void CrdDriver::SetUp(CrdParameters parameters) {
   }
   crd_.position = PositionOf(crd_, card_.profiles());
   for (CrdFifo& fifo : crd_.fifos) fifo.slots.slots.reserve(kCrdFifoSize);
+}
+
+void CrdDriver::SetStopDecelerations(double smooth, double abrupt) {
+  crd_.smooth_stop = smooth;
+  crd_.abrupt_stop = abrupt;
+}
+
+void CrdDriver::SetStepMode(bool on) {
+  crd_.step_mode = on;
+  crd_.Replan(card_.now());
+}
+
+void CrdDriver::SetOverride(double ratio) {
+  crd_.override_ratio = ratio;
+  crd_.Replan(card_.now());
+}
+
+void CrdDriver::SetSecondOverride(double ratio) {
+  crd_.second_override = ratio;
+  crd_.Replan(card_.now());
+}
+
+// --- FIFOs -------------------------------------------------------------------------------------
+
+void CrdDriver::BeginLookAhead(size_t fifo, double time, double acceleration, size_t capacity) {
+  PathLimits limits;
+  limits.rule = {JointRule::kCorners, acceleration};
+  limits.corner_time = time;
+  crd_.fifos[fifo].planner.Emplace({.limits = limits, .capacity = capacity});
+}
+
+void CrdDriver::BeginPlanner(size_t number, const PathLimits& limits, size_t capacity) {
+  card_.LeaveLanes();
+  CrdFifo& fifo = crd_.fifos[number];
+  const Coordinates start = fifo.Remaining() == 0 ? PositionOf(crd_, card_.profiles()) : fifo.tail;
+  // The planner's path begins at rest, also after a segment with an end velocity.
+  if (!fifo.looks_ahead()) crd_.RestAfterLast(number, card_.now());
+  fifo.planner.Emplace({.limits = limits, .capacity = capacity});
+  fifo.tail = start;
+}
+
+void CrdDriver::BeginVirtualRun(size_t fifo, const Coordinates& begin) {
+  card_.LeaveLanes();
+  VirtualRun& run = crd_.fifos[fifo].planner->virtual_run;
+  run.on = true;
+  run.cycle = static_cast<double>(card_.cycle_us()) / 1000;
+  for (size_t i = 0; i < run.moved.size(); ++i) run.moved[i] = card_.profiles()[i].now.position;
+  run.end = begin;
+}
+
+void CrdDriver::DropPlanners() {
+  for (CrdFifo& fifo : crd_.fifos) {
+    if (fifo.plans_axes()) fifo.planner.Reset();
+  }
 }
 
 bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
@@ -63,7 +120,10 @@ void CrdDriver::TellJunction(const CrdFifo& fifo) const {
   card_.Tell(CardEventKind::kJunctionLimited, std::sqrt(newest.junction), std::sqrt(wanted));
 }
 
+// --- The run -----------------------------------------------------------------------------------
+
 void CrdDriver::Start(size_t fifo, bool single_step) {
+  card_.LeaveLanes();
   crd_.position = PositionOf(crd_, card_.profiles());
   crd_.Start(fifo, single_step, card_.now());
   if (crd_.run.wait == CrdWait::kMove && !AwaitedMoveUnderWay()) {
@@ -73,17 +133,20 @@ void CrdDriver::Start(size_t fifo, bool single_step) {
 }
 
 void CrdDriver::Resume(size_t fifo, const PathSlot& back) {
+  card_.LeaveLanes();
   crd_.position = PositionOf(crd_, card_.profiles());
   crd_.Resume(fifo, back, card_.now());
   Write();
 }
 
 void CrdDriver::Stop(bool abrupt) {
+  card_.LeaveLanes();
   crd_.Stop(abrupt, card_.now());
   if (!crd_.run.running) Write();
 }
 
 void CrdDriver::CloseList(size_t fifo) {
+  card_.LeaveLanes();
   crd_.CloseList(fifo);
   if (!crd_.run.running) Write();
 }

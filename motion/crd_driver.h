@@ -1,8 +1,13 @@
-// A coordinate system at work: it maps the motion along its path to its profiles, executes buffered
-// commands and waits for moves that they start. Tested by tests/motion/crd_test.cc.
+// A coordinate system at work: its registers and FIFOs, its start and its stop. It maps the motion
+// along its path to its profiles, executes buffered commands and waits for moves that they start.
+//
+// Lanes neither hold nor read a coordinate system: what is set and appended leaves the card in
+// them, what changes profiles does not. All but SetUp() need a coordinate system that has been set
+// up. Tested by tests/motion/crd_test.cc and handles_test.cc.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "motion/crd_port.h"
@@ -16,13 +21,50 @@ Coordinates PositionOf(const Crd& crd, std::span<const Profile> profiles);
 
 class CrdDriver {
  public:
-  CrdDriver(Crd& crd, CrdPort card) : crd_(crd), card_(card) {}
+  CrdDriver(CoreParts core, size_t crd) : crd_(core.state.crds[crd]), card_(core, crd) {}
 
-  /// Gives it new parameters: the profiles, which must be at rest, change to mode Crd, and the
-  /// FIFOs are emptied.
+  // --- Registers -------------------------------------------------------------------------------
+
+  /// GT_SetCrdPrm: the profiles, which must be at rest, change to mode Crd, and the FIFOs are
+  /// emptied.
   void SetUp(CrdParameters parameters);
+  /// GT_SetCrdStopDec, pulse/ms^2 > 0.
+  void SetStopDecelerations(double smooth, double abrupt);
+  /// How the path stops at a limit of one of its axes.
+  void SetLimitStop(bool smooth) { crd_.limit_stop.smooth = smooth; }
+  /// The largest velocity of a coordinate, pulse/ms, for segments that begin from now on.
+  void SetVelocityMax(size_t coordinate, double velocity) {
+    crd_.axis_velocity_max[coordinate] = velocity;
+  }
+  /// These act on the segment that is being executed, too.
+  void SetStepMode(bool on);
+  void SetOverride(double ratio);
+  void SetSecondOverride(double ratio);
+
+  // --- FIFOs -----------------------------------------------------------------------------------
+
   /// Appends a slot to a FIFO; false when there is no room.
   bool Append(size_t fifo, const PathSlot& slot);
+  /// Moves what is in the look-ahead of a FIFO to the FIFO; false if it did not fit.
+  bool Flush(size_t fifo) { return crd_.fifos[fifo].Flush(); }
+  /// Empties a FIFO, which does not run, and its look-ahead, and discards the breakpoint.
+  void Clear(size_t fifo) { crd_.Clear(fifo); }
+  /// The number of future segments (GT_SetUserSegNum).
+  void SetUserNumber(size_t fifo, int32_t number) { crd_.fifos[fifo].user_number = number; }
+  /// Where the next segment begins.
+  void SetTail(size_t fifo, const Coordinates& tail) { crd_.fifos[fifo].Tail() = tail; }
+  /// GT_InitLookAhead: slots pass a look-ahead of so many segments, for a corner time in ms and an
+  /// acceleration in pulse/ms^2. It must be empty.
+  void BeginLookAhead(size_t fifo, double time, double acceleration, size_t capacity);
+  /// The same with a planner of all axes. Its path begins at rest where the FIFO ends.
+  void BeginPlanner(size_t fifo, const PathLimits& limits, size_t capacity);
+  /// From now on only the time is computed that the segments of its planner take, from `begin` on.
+  void BeginVirtualRun(size_t fifo, const Coordinates& begin);
+  /// The planners of all axes end, which must be empty.
+  void DropPlanners();
+
+  // --- The run ---------------------------------------------------------------------------------
+
   /// Begins or resumes a run; with `single_step` it ends after one segment.
   void Start(size_t fifo, bool single_step);
   /// Begins a run with a line back to the breakpoint (Crd::Resume).
@@ -34,6 +76,7 @@ class CrdDriver {
   /// Closes it; a run that waits for its data ends.
   void CloseList(size_t fifo);
   /// One cycle of a run.
+  /// One cycle of a run, in the cycle of the core.
   void Advance();
 
  private:

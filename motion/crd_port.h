@@ -7,39 +7,35 @@
 #include <cstdint>
 
 #include "motion/card_event.h"
-#include "motion/cycle_block.h"
-#include "motion/motion_state.h"
+#include "motion/core_parts.h"
 
 namespace oncard::motion {
 
 class CrdPort {
  public:
-  /// `block` may have parts of the state in lanes.
-  CrdPort(MotionState& state, const MotionConfig& config, const CardEventObserver& observer,
-          size_t index, CycleBlock& block)
-      : state_(state), config_(config), observer_(observer), index_(index), block_(block) {}
+  CrdPort(CoreParts core, size_t crd) : core_(core), index_(crd) {}
 
-  const CardDefaults& defaults() const { return config_.defaults; }
-  Micros now() const { return state_.cycle * config_.cycle_us; }
-  std::array<Profile, kAxisMax>& profiles() const { return state_.profiles; }
-  Profile& profile(int32_t index) const { return state_.profiles[static_cast<size_t>(index)]; }
+  const CardDefaults& defaults() const { return core_.config.defaults; }
+  int64_t cycle_us() const { return core_.config.cycle_us; }
+  Micros now() const { return core_.now(); }
+  /// Lanes may hold newer values of the profiles until LeaveLanes().
+  void LeaveLanes() const { core_.block.Leave(); }
+  std::array<Profile, kAxisMax>& profiles() const { return core_.state.profiles; }
+  Profile& profile(int32_t index) const { return profiles()[static_cast<size_t>(index)]; }
   /// Executes a command that acts outside the path and its profiles: not those that wait, and not
   /// GT_BufMove and GT_BufGear.
   void CarryOut(const BufferedCommand& command);
   /// True if somebody is told what happens.
-  bool observed() const { return observer_ != nullptr; }
+  bool observed() const { return core_.observer != nullptr; }
   void Tell(CardEventKind kind, double value, double bound = 0) const {
-    if (observer_) observer_({kind, index_, value, bound});
+    if (observed()) core_.observer({kind, index_, value, bound});
   }
   /// Tells of an axis that the profile begins to move while the drive is off.
   void TellDriveOff(int32_t profile) const;
 
  private:
-  MotionState& state_;
-  const MotionConfig& config_;
-  const CardEventObserver& observer_;
+  CoreParts core_;
   size_t index_;
-  CycleBlock& block_;
 };
 
 }  // namespace oncard::motion

@@ -32,6 +32,11 @@ MotionCore::MotionCore(const MotionCore& other)
       observer_(other.observer_),
       block_(state_, config_, other.block_.kernel()) {}
 
+void MotionCore::Restore(const MotionState& copy) {
+  block_.Leave();
+  state_ = copy;
+}
+
 void MotionCore::Tick() {
   block_.Leave();
   BeginTick();
@@ -186,7 +191,7 @@ void MotionCore::AdvanceProfiles() {
     }
   }
   for (size_t i = 0; i < kCrdCount; ++i) {
-    if (state_.crds[i].run.running) driver(state_, i).Advance();
+    if (state_.crds[i].run.running) CrdAt(i).Advance();
   }
   if (!crd_slaves) return;
   for (size_t i = 0; i < axis_count(); ++i) {
@@ -218,7 +223,7 @@ void MotionCore::BeginProfile(size_t index) {
   // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
   Tell(CardEventKind::kHeldAtLimit, index, begin);
-  StopProfile(index, true);
+  ProfileAt(index).Stop(true);
 }
 
 void MotionCore::MapProfiles() {
@@ -266,17 +271,17 @@ void MotionCore::GuardAxis(size_t index) {
   if (axis.latched != before) TellCauses(index, causes & ~before);
   // A latched alarm that is no longer active prevents the axis from moving, but not from being
   // enabled.
-  if ((causes & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
+  if ((causes & kAlarmBit) != 0 && axis.servo_on) AxisAt(index).ServoOff();
   if (!AxisMoving(axis)) return;
   const double velocity = axis.profile.velocity;
   const bool into_limit = (velocity > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
                           (velocity < 0 && (axis.latched & kNegativeLimitBit) != 0);
   if ((axis.latched & (kAlarmBit | kAbruptStopBit)) != 0) {
-    StopAxis(axis, true);
+    AxisAt(index).StopProfiles(true);
   } else if (into_limit) {
-    StopAxisAtLimit(axis);
+    AxisAt(index).StopProfilesAtLimit();
   } else if ((axis.latched & kSmoothStopBit) != 0) {
-    StopAxis(axis, false);
+    AxisAt(index).StopProfiles(false);
   }
 }
 
@@ -320,7 +325,7 @@ void MotionCore::AdvanceDrivesWithBus() {
   if (Crossings::Wanted(state_)) crossings.Finish();
   ForEachBit(bus_axes().Follow(), axis_count(), [&](size_t axis) {
     drives().Disable(axis);
-    StopAxis(state_.axes[axis], true);
+    AxisAt(axis).StopProfiles(true);
   });
 }
 
@@ -346,7 +351,7 @@ void MotionCore::FailControl(const Control& control, double error) {
     Tell(CardEventKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
   }
   axis.latched |= kFollowingErrorBit;
-  if (config_.defaults.following_error_stops) ServoOff(index);
+  if (config_.defaults.following_error_stops) AxisAt(index).ServoOff();
 }
 
 void MotionCore::JudgeGantry() {
@@ -355,7 +360,7 @@ void MotionCore::JudgeGantry() {
   Tell(CardEventKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
   for (const size_t axis : {size_t{gantry.master}, size_t{gantry.slave}}) {
     state_.axes[axis].latched |= kFollowingErrorBit;
-    if (config_.defaults.following_error_stops) ServoOff(axis);
+    if (config_.defaults.following_error_stops) AxisAt(axis).ServoOff();
   }
 }
 
@@ -373,53 +378,9 @@ void MotionCore::AdvanceHomings() {
   state_.homing_runs = false;
   for (size_t i = 0; i < axis_count(); ++i) {
     if (!state_.homing[i].running) continue;
-    homing(i).Advance();
+    HomingAt(i).Advance();
     state_.homing_runs |= state_.homing[i].running;
   }
-}
-
-// --- Axes and profiles -------------------------------------------------------------------------
-
-void MotionCore::StartProfile(size_t index) {
-  if (const Master* master = state_.profiles[index].SelectedMaster(); master != nullptr) {
-    const MasterValue value = ReadMaster(*master);
-    return state().profiles[index].StartSlave(value);
-  }
-  block_.ShowProfile(index);
-  state_.profiles[index].Start(now());
-  if (block_.loaded()) block_.TakeStart(index);
-}
-
-void MotionCore::SetVelocity(size_t index, double velocity) {
-  Profile& profile = state_.profiles[index];
-  (profile.mode == ProfileMode::kTrap ? profile.trap.velocity : profile.jog.velocity) = velocity;
-}
-
-void MotionCore::ServoOn(size_t axis) {
-  if (OnBus(axis)) {
-    bus_axes().Enable(axis, true);
-  } else {
-    state().axes[axis].servo_on = true;
-    EnableDrive(axis);
-  }
-  state().io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
-}
-
-void MotionCore::ServoOff(size_t axis) {
-  state().axes[axis].servo_on = false;
-  if (OnBus(axis)) bus_axes().Enable(axis, false);
-  drives().Disable(axis);
-  if (state_.shapers) (*state_.shapers)[axis].Restart(readings().Unshaped(axis));
-  state_.io.Write(DoType::kEnable, EnableOutputs(axis), 0);
-  StopAxis(state_.axes[axis], true);
-}
-
-uint32_t MotionCore::EnableOutputs(size_t axis) const {
-  uint32_t outputs = 0;
-  for (size_t i = 0; i < state_.enable_axes.size(); ++i) {
-    if (state_.enable_axes[i] == static_cast<int8_t>(axis)) outputs |= uint32_t{1} << i;
-  }
-  return outputs;
 }
 
 uint32_t MotionCore::Conditions(size_t index) const {
@@ -434,137 +395,58 @@ uint32_t MotionCore::Conditions(size_t index) const {
   return conditions;
 }
 
-void MotionCore::ClearStatus(size_t axis) {
-  if (OnBus(axis)) bus_axes().ResetFault(axis);
-  uint32_t& latched = state().axes[axis].latched;
-  const uint32_t error = FollowingErrorExceeded(axis) ? latched & kFollowingErrorBit : 0;
-  latched = readings().ActiveCauses(state_.axes[axis]) | error;
-}
-
-void MotionCore::StopProfile(size_t profile, bool abrupt) {
-  Profile& stopped = state().profiles[profile];
-  for (size_t i = 0; i < kCrdCount && stopped.driven; ++i) {
-    if (state_.crds[i].Drives(profile)) StopCrd(i, abrupt);
-  }
-  if (stopped.driven) return;
-  if (abrupt) {
-    stopped.Stop(now(), stopped.abrupt_stop);
-  } else {
-    stopped.StopSmoothly(now());
-  }
-}
-
-void MotionCore::StopCommanded(size_t profile, bool abrupt) {
-  StopProfile(profile, abrupt);
-  if (IsGantrySlave(profile)) StopAxis(state_.axes[profile], abrupt);
-}
-
-// --- Drives and encoders -----------------------------------------------------------------------
-
-void MotionCore::EnableDrive(size_t axis) {
-  // A controller begins at rest, where the axis is.
-  if (InClosedLoop(axis)) origins().AlignWithEncoder(axis);
-  drives().Enable(axis);
-}
-
 void MotionCore::RestartDrives() {
   drives().Wire();
   drives().KeepPulses();
   for (size_t i = 0; i < kAxisMax; ++i) {
-    if (state_.axes[i].servo_on && !OnBus(i)) EnableDrive(i);
+    if (state_.axes[i].servo_on && !OnBus(i)) AxisAt(i).RestartDrive();
   }
 }
 
-void MotionCore::SetEncoderSense(size_t encoder, bool reversed) {
-  state().encoders[encoder].reversed = reversed;
-  RebaseEncoder(encoder);
-}
-
-void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
-  state().encoders[encoder].external = external;
-  RebaseEncoder(encoder);
-}
-
-void MotionCore::SetBacklash(size_t axis, const Backlash& backlash) {
-  state().compensations[axis].SetBacklash(backlash);
-  state_.compensates = true;
-}
-
-void MotionCore::SetPitchTable(size_t axis, PitchTablePointer table) {
-  state().compensations[axis].pitch_table = std::move(table);
-}
-
-void MotionCore::EnablePitchCompensation(size_t axis, bool on) {
-  state().compensations[axis].pitch_on = on;
-  state_.compensates = true;
-}
-
-void MotionCore::SetInputShaper(size_t axis, size_t count, double k) {
-  auto& shapers = state().shapers;
-  if (!shapers) {
-    if (count == 0) return;
-    shapers.Emplace();
-  }
-  (*shapers)[axis].Set(count, k, readings().Unshaped(axis));
-  if (std::ranges::none_of(*shapers, &InputShaper::on)) shapers.Reset();
-}
-
-// --- Gantry, homing ----------------------------------------------------------------------------
+// --- Gantry ------------------------------------------------------------------------------------
 
 void MotionCore::EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp) {
-  state().gantry.Begin(master, slave, master_kp, slave_kp, state_.axes);
+  parts().Changed().gantry.Begin(master, slave, master_kp, slave_kp, state_.axes);
   origins().KeepPlanned(slave);
 }
 
 void MotionCore::DisableGantry() {
   if (!state_.gantry.on) return;
-  state().gantry.End(state_.axes);
+  parts().Changed().gantry.End(state_.axes);
   origins().KeepPlanned(state_.gantry.slave);
-}
-
-void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
-  state().homing_runs = true;
-  homing(index).Begin(parameters);
-}
-
-void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
-                                   double acceleration, int32_t offset) {
-  state().homing_runs = true;
-  homing(index).BeginSimple(kind, position, velocity, acceleration, offset);
-}
-
-void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) {
-  homing(index).SetIndexSearch(distance, offset);
-  state_.homing_runs |= state_.homing[index].running;
 }
 
 // --- Axes on a bus -----------------------------------------------------------------------------
 
 void MotionCore::ConnectBus(bus::SlavesPointer configured, bus::SlavesPointer connected) {
-  state().bus.Emplace().line = bus::Bus(std::move(configured), std::move(connected));
+  parts().Changed().bus.Emplace().line = bus::Bus(std::move(configured), std::move(connected));
   bus_axes().NumberAxes();
 }
 
 void MotionCore::TerminateBus() {
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (OnBus(i)) ServoOff(i);
+    if (OnBus(i)) AxisAt(i).ServoOff();
   }
-  state().bus->line.Terminate();
+  parts().Changed().bus->line.Terminate();
 }
 
 // --- Outside the card --------------------------------------------------------------------------
 
 void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   if (state_.bus) bus_axes().PowerOn();
-  World(state(), config_).PowerOn(std::move(events));
+  World(parts().Changed(), config_).PowerOn(std::move(events));
   LatchCauses();
 }
 
+void MotionCore::SetEvents(std::shared_ptr<const WorldEvents> events) {
+  World(parts().Changed(), config_).Replace(std::move(events));
+}
+
 void MotionCore::PlaceMotor(size_t motor, double position) {
-  Plant& plant = state().plants[motor];
+  Plant& plant = parts().Changed().plants[motor];
   plant.lead += position - plant.position;
   plant.position = position;
-  RebaseEncoder(motor);
+  EncoderAt(motor).Rebase();
 }
 
 // --- Stops and reports -------------------------------------------------------------------------
@@ -604,19 +486,6 @@ void MotionCore::LatchCauses() {
     TellCauses(i, causes);
     state_.axes[i].latched |= causes;
   }
-}
-
-void MotionCore::StopAxis(const Axis& axis, bool abrupt) {
-  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) { StopProfile(profile, abrupt); });
-}
-
-void MotionCore::StopAxisAtLimit(const Axis& axis) {
-  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
-    const auto smooth = [&](const Crd& crd) {
-      return crd.limit_stop.smooth && crd.Drives(profile);
-    };
-    StopProfile(profile, !std::any_of(state_.crds.begin(), state_.crds.end(), smooth));
-  });
 }
 
 uint64_t MotionCore::Hash() const { return StateHash().Add(state()).value(); }

@@ -17,6 +17,17 @@ void World::PowerOn(std::shared_ptr<const WorldEvents> events) {
   for (Adc& adc : state_.adcs) adc.filtered = adc.volts;
 }
 
+void World::Replace(std::shared_ptr<const WorldEvents> events) {
+  state_.world.events = std::move(events);
+  for (size_t i = 0; i < state_.world.next; ++i) {
+    const WorldEvent& event = (*state_.world.events)[i];
+    if (event.kind == WorldEventKind::kHand) state_.plants[event.item].hand = event.value;
+    if (event.kind == WorldEventKind::kEncoderDrift) {
+      state_.encoder_faults[event.item].drift = event.value;
+    }
+  }
+}
+
 void World::ApplyEvents() {
   WorldProgress& world = state_.world;
   if (world.events == nullptr) return;

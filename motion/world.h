@@ -17,6 +17,8 @@ class World {
   /// The surroundings of a card that is switched on: events at instant 0 have already happened,
   /// switches match the positions of their motors, and the filters have accepted all levels.
   void PowerOn(std::shared_ptr<const WorldEvents> events);
+  /// Other events, of which as many have happened; what lasts acts as the new ones say.
+  void Replace(std::shared_ptr<const WorldEvents> events);
   /// Applies the events up to now.
   void ApplyEvents();
 

@@ -433,7 +433,7 @@ void RewindableRun::Restore(const Kept& kept) {
 
 void RewindableRun::ShareWorld() {
   if (world_clock_ != clock()) return UpdateWorld();
-  controller_.motion().state().world.events = world_events_;
+  controller_.motion().SetEvents(world_events_);
 }
 
 std::vector<RewindableRun::Kept>::iterator RewindableRun::FirstKeptAfter(int64_t moment) {
@@ -630,7 +630,7 @@ void RewindableRun::UpdateWorld() {
         runtime::EventsOf(changed.world, changed.bus, clock()));
   }
   world_clock_ = clock();
-  controller_.motion().state().world.events = world_events_;
+  controller_.motion().SetEvents(world_events_);
 }
 
 // --- Recording -----------------------------------------------------------------------------------

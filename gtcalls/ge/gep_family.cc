@@ -92,7 +92,7 @@ void StopBeyondErrorLimit(const Card& card) {
   const GeState& state = card.state<GeState>();
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
     if (!state.axes[axis].auto_stop || !card.motion.axis(axis).servo_on) continue;
-    if (card.motion.FollowingErrorExceeded(axis)) card.motion.StopProfile(axis, true);
+    if (card.motion.FollowingErrorExceeded(axis)) card.motion.ProfileAt(axis).Stop(true);
   }
 }
 
@@ -101,9 +101,11 @@ void AfterTick(Card& card) {
   card.state<GeState>().watch.Advance(card.view());
 }
 
-bool ActsEachCycle(const CardView& card) {
+int64_t CyclesBeforeAct(const CardView& card) {
   const GeState& state = card.state<GeState>();
-  return state.watch.batches.running() || std::ranges::any_of(state.axes, &GeAxis::auto_stop);
+  const bool acts =
+      state.watch.batches.running() || std::ranges::any_of(state.axes, &GeAxis::auto_stop);
+  return acts ? 0 : kNeverActs;
 }
 
 }  // namespace
@@ -140,7 +142,7 @@ const Family& GepFamily() {
       .forget_program = [](FamilyState&) {},
       .after_tick = AfterTick,
       .before_threads = [](Card&) {},
-      .acts_each_cycle = ActsEachCycle,
+      .cycles_before_act = CyclesBeforeAct,
       .writes_variables = [](const CardView&) { return false; },
       .memory_text = [](const FamilyState&) { return std::string(); },
       .restore_memory = [](std::string_view, std::string_view,

@@ -41,14 +41,13 @@ BufferedValue DecodeValue(const motion::BufferedCommand& command) {
   return value;
 }
 
-void ReserveValues(motion::MotionCore& motion) {
-  motion.state().reached.reserve(motion::kCrdFifoSize);
-}
+void ReserveValues(motion::MotionCore& motion) { motion.ReserveReached(); }
 
 void WriteReachedValues(Card& card) {
-  if (card.motion.part<&motion::MotionState::reached>().empty()) return;
+  const auto& reached = card.motion.part<&motion::MotionState::reached>();
+  if (reached.empty()) return;
   GtsState& state = card.state<GtsState>();
-  for (const motion::BufferedCommand& command : card.motion.state().reached) {
+  for (const motion::BufferedCommand& command : reached) {
     const BufferedValue value = DecodeValue(command);
     const auto index = static_cast<size_t>(value.index);
     switch (value.target) {
@@ -63,7 +62,7 @@ void WriteReachedValues(Card& card) {
         break;
     }
   }
-  card.motion.state().reached.clear();
+  card.motion.ClearReached();
 }
 
 bool WillWriteProgram(const motion::MotionCore& motion) {

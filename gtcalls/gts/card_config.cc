@@ -253,86 +253,71 @@ motion::Scale ScaleFrom(double alpha, double beta, const motion::Scale& old) {
 }
 
 void ApplyAxis(const CardConfig::Axis& config, size_t index, MotionCore& core) {
-  motion::Axis& axis = core.state().axes[index];
-  axis.active = config.active != 0;
-  axis.alarm = ChoiceFrom(config.alarm_type, config.alarm_index);
-  axis.positive_limit = ChoiceFrom(config.positive_limit_type, config.positive_limit_index);
-  axis.negative_limit = ChoiceFrom(config.negative_limit_type, config.negative_limit_index);
-  axis.smooth_stop = ChoiceFrom(config.smooth_stop_type, config.smooth_stop_index);
-  axis.abrupt_stop = ChoiceFrom(config.abrupt_stop_type, config.abrupt_stop_index);
-  axis.alarm_on = true;
-  axis.positive_limit_on = true;
-  axis.negative_limit_on = true;
-  const motion::Scale profile =
-      ScaleFrom(config.profile_alpha, config.profile_beta, axis.profile_scale);
-  const motion::Scale encoder =
-      ScaleFrom(config.encoder_alpha, config.encoder_beta, axis.encoder_scale);
-  const bool same = profile == axis.profile_scale && encoder == axis.encoder_scale &&
-                    axis.profile_map == MapFrom(config.profile_map) &&
-                    axis.encoder_map == MapFrom(config.encoder_map);
-  if (same) return;
-  axis.profile_map = MapFrom(config.profile_map);
-  axis.encoder_map = MapFrom(config.encoder_map);
-  axis.profile_scale = profile;
-  axis.encoder_scale = encoder;
-  core.SynchAxis(index);
+  const motion::AxisHandle axis = core.AxisAt(index);
+  axis.SetActive(config.active != 0);
+  axis.SetInputs(
+      {.alarm = ChoiceFrom(config.alarm_type, config.alarm_index),
+       .positive_limit = ChoiceFrom(config.positive_limit_type, config.positive_limit_index),
+       .negative_limit = ChoiceFrom(config.negative_limit_type, config.negative_limit_index),
+       .smooth_stop = ChoiceFrom(config.smooth_stop_type, config.smooth_stop_index),
+       .abrupt_stop = ChoiceFrom(config.abrupt_stop_type, config.abrupt_stop_index)});
+  axis.SwitchAlarm(true);
+  axis.SwitchPositiveLimit(true);
+  axis.SwitchNegativeLimit(true);
+  const motion::Axis& old = core.axis(index);
+  axis.SetMaps(
+      {.profiles = MapFrom(config.profile_map),
+       .encoders = MapFrom(config.encoder_map),
+       .profile_scale = ScaleFrom(config.profile_alpha, config.profile_beta, old.profile_scale),
+       .encoder_scale = ScaleFrom(config.encoder_alpha, config.encoder_beta, old.encoder_scale)});
 }
 
 void ApplyEncoder(const CardConfig::Encoder& config, size_t index, MotionCore& core) {
-  motion::Encoder& encoder = core.state().encoders[index];
-  encoder.active = config.active != 0;
-  encoder.reversed = config.reverse != 0;
-  encoder.wired_reversed = encoder.reversed;
-  encoder.external = config.filter_type == 0;
-  core.RebaseEncoder(index);
+  core.EncoderAt(index).Configure(config.active != 0, config.reverse != 0, config.filter_type == 0);
 }
 
-/// Closes the loop of each active controller that has an axis, an external encoder and a DAC.
+/// The controller that an analogue output gets: an active one that has an axis and an external
+/// encoder. Empty: none.
+std::optional<size_t> OwnerOf(const CardConfig& config, size_t dac, const MotionCore& core) {
+  const auto owner = IndexFrom(config.dacs[dac].control);
+  if (config.dacs[dac].active == 0 || !owner) return std::nullopt;
+  const CardConfig::Control& control = config.controls[*owner];
+  const auto encoder = IndexFrom(control.encoder);
+  const bool usable =
+      control.active != 0 && IndexFrom(control.axis) && encoder && core.encoder(*encoder).external;
+  return usable ? owner : std::nullopt;
+}
+
+/// Closes the loop of each controller that has an output.
 void ApplyControls(const CardConfig& config, MotionCore& core) {
-  motion::MotionState& state = core.state();
   for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Control& from = config.controls[i];
-    motion::Control& control = state.controls[i];
-    control.active = from.active != 0;
-    control.axis = NumberFrom(from.axis);
-    control.encoder = NumberFrom(from.encoder);
-    control.error_limit = static_cast<int64_t>(std::clamp(from.error_limit, 1.0, 2147483648.0));
-    control.closed = false;
+    const motion::ControlHandle control = core.ControlAt(i);
+    control.Configure(from.active != 0, NumberFrom(from.axis), NumberFrom(from.encoder));
+    control.SetErrorLimit(static_cast<int64_t>(std::clamp(from.error_limit, 1.0, 2147483648.0)));
   }
   for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Dac& from = config.dacs[i];
-    motion::Dac& dac = state.dacs[i];
-    dac.active = from.active != 0;
-    dac.reversed = from.reverse != 0;
-    dac.bias = ShortFrom(from.bias, -motion::kDacFull, motion::kDacFull);
-    dac.limit = ShortFrom(from.limit, 0, motion::kDacFull);
-    dac.value = 0;
-    dac.control = -1;
-    const auto owner = IndexFrom(from.control);
-    if (!owner || !dac.active) continue;
-    motion::Control& control = state.controls[*owner];
-    const auto encoder = IndexFrom(config.controls[*owner].encoder);
-    if (!control.active || control.axis < 0 || !encoder) continue;
-    if (!state.encoders[*encoder].external) continue;
-    control.closed = true;
-    dac.control = static_cast<int8_t>(*owner);
+    const motion::DacHandle dac = core.DacAt(i);
+    dac.Configure(from.active != 0, from.reverse != 0,
+                  ShortFrom(from.bias, -motion::kDacFull, motion::kDacFull),
+                  ShortFrom(from.limit, 0, motion::kDacFull));
+    if (const auto owner = OwnerOf(config, i, core)) dac.GiveTo(*owner);
   }
 }
 
 void ApplySteps(const CardConfig& config, MotionCore& core) {
   for (size_t i = 0; i < kAxisMax; ++i) {
     const CardConfig::Step& from = config.steps[i];
-    motion::Step& step = core.state().steps[i];
-    step.active = from.active != 0;
-    step.axis = NumberFrom(from.axis);
-    step.mode = ShortFrom(from.mode, -32768, 32767);
-    step.parameter = ShortFrom(from.parameter, -32768, 32767);
-    step.reversed = from.reverse != 0;
+    const motion::StepHandle step = core.StepAt(i);
+    step.Configure(from.active != 0, NumberFrom(from.axis), from.reverse != 0);
+    step.SetMode(ShortFrom(from.mode, -32768, 32767));
+    step.SetParameter(ShortFrom(from.parameter, -32768, 32767));
   }
 }
 
 void ApplyDigital(const CardConfig& config, MotionCore& core) {
-  motion::MotionState& state = core.state();
+  motion::DigitalIo& io = core.digital_io();
   for (size_t word = 0; word < config.inputs.size(); ++word) {
     const auto type = static_cast<DiType>(word);
     uint32_t inverted = 0;
@@ -341,11 +326,11 @@ void ApplyDigital(const CardConfig& config, MotionCore& core) {
       const CardConfig::Input& input = config.inputs[word][bit];
       inverted |= uint32_t{input.reverse != 0} << bit;
       active ^= uint32_t{input.active == 0} << bit;
-      state.io.SetFilterTicks(type, static_cast<int>(bit),
-                              static_cast<uint16_t>(std::clamp(input.filter_ticks, 0.0, 65535.0)));
+      io.SetFilterTicks(type, static_cast<int>(bit),
+                        static_cast<uint16_t>(std::clamp(input.filter_ticks, 0.0, 65535.0)));
     }
-    state.io.SetInverted(type, inverted);
-    state.io.SetInputsActive(type, active);
+    io.SetInverted(type, inverted);
+    io.SetInputsActive(type, active);
   }
   for (size_t word = 0; word < config.outputs.size(); ++word) {
     const auto type = static_cast<DoType>(word);
@@ -355,12 +340,20 @@ void ApplyDigital(const CardConfig& config, MotionCore& core) {
       inverted |= uint32_t{config.outputs[word][bit].reverse != 0} << bit;
       active ^= uint32_t{config.outputs[word][bit].active == 0} << bit;
     }
-    state.io.SetOutputInverted(type, inverted);
-    state.io.SetOutputsActive(type, active);
+    io.SetOutputInverted(type, inverted);
+    io.SetOutputsActive(type, active);
   }
-  for (size_t i = 0; i < state.enable_axes.size(); ++i) {
-    state.enable_axes[i] = NumberFrom(config.outputs[0][i].axis);
+  for (size_t i = 0; i < motion::kAxisIoWidth; ++i) {
+    core.SetEnableAxis(i, NumberFrom(config.outputs[0][i].axis));
   }
+}
+
+void ApplyProfile(const CardConfig::Profile& config, size_t index, MotionCore& core) {
+  const motion::Profile& old = core.profile(index);
+  const motion::ProfileHandle profile = core.ProfileAt(index);
+  profile.SetStopDecelerations(DecelerationFrom(config.smooth_stop, old.smooth_stop),
+                               DecelerationFrom(config.abrupt_stop, old.abrupt_stop));
+  profile.SetActive(config.active != 0);
 }
 
 }  // namespace
@@ -386,10 +379,7 @@ CardConfig ParseCardConfig(std::string_view text) { return ConfigReader().Read(t
 void ApplyCardConfig(const CardConfig& config, MotionCore* core) {
   ApplyDigital(config, *core);
   for (size_t i = 0; i < kAxisMax; ++i) {
-    motion::Profile& profile = core->state().profiles[i];
-    profile.active = config.profiles[i].active != 0;
-    profile.smooth_stop = DecelerationFrom(config.profiles[i].smooth_stop, profile.smooth_stop);
-    profile.abrupt_stop = DecelerationFrom(config.profiles[i].abrupt_stop, profile.abrupt_stop);
+    ApplyProfile(config.profiles[i], i, *core);
     ApplyAxis(config.axes[i], i, *core);
   }
   ApplySteps(config, *core);

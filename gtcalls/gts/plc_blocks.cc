@@ -157,7 +157,7 @@ void PlcBlocks::Evaluate(vm::Machine& machine, motion::MotionCore& motion) {
       if (!unbound) action(block, Variables(machine, block.thread));
     }
   };
-  motion::DigitalIo& io = motion.state().io;
+  motion::DigitalIo& io = motion.digital_io();
   for_each([&](PlcBlock& block, Variables variables) {
     if (const auto* input = std::get_if<DiBlock>(&block.function)) {
       variables.Write(block.variable, ReadInput(*input, io));

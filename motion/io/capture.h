@@ -101,9 +101,16 @@ class CaptureUnit {
   void Reset();
 
   const Capture& capture(size_t index) const { return captures_[index]; }
-  Capture& capture(size_t index) { return captures_[index]; }
   const Trigger& trigger(size_t index) const { return triggers_[index]; }
 
+  /// Sets the sense of a source, which need not be the present one.
+  void SetSense(size_t index, CaptureSource source, bool rising) {
+    captures_[index].SetRising(source, rising);
+  }
+  /// Chooses the encoder whose position a disarmed capture latches.
+  void SetEncoder(size_t index, size_t encoder) {
+    captures_[index].encoder = static_cast<uint8_t>(encoder);
+  }
   /// Arms a capture; earlier captured positions are discarded.
   void Arm(size_t index, CaptureSource source);
   void Disarm(size_t index) { captures_[index].armed = false; }

@@ -119,7 +119,6 @@ double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePo
 class CompareUnit {
  public:
   const CompareModule& module(size_t channel) const { return modules_[channel]; }
-  CompareModule& module(size_t channel) { return modules_[channel]; }
   const HsioOutput& output(size_t channel) const { return outputs_[channel]; }
   const std::vector<CompareHit>& log() const { return log_; }
   /// The output edges of the last tick; those of one output are in order of time.
@@ -128,6 +127,11 @@ class CompareUnit {
   /// GT_Reset: no points, both outputs low.
   void Reset();
 
+  /// Of a module that does not run; its points stay.
+  void SetParameters(size_t channel, const CompareParameters& parameters) {
+    modules_[channel].parameters = parameters;
+  }
+  void ClearHits(size_t channel) { modules_[channel].hits = 0; }
   /// A single pulse, or a level.
   void Pulse(size_t channel, Micros now, int16_t time_us);
   void SetLevel(size_t channel, bool level);

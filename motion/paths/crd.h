@@ -102,6 +102,7 @@ struct CrdFifo {
     return interruption ? interruption->slot.segment.PointAt(interruption->path)
                         : current.segment.PointAt(path);
   }
+  const Coordinates& Tail() const { return is_virtual() ? planner->virtual_run.end : tail; }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {

@@ -311,7 +311,7 @@ void Controller::Restore(const ControllerSnapshot& snapshot) {
 }
 
 void Controller::RestoreBody(const CardBody& body) {
-  motion_.state() = body.motion;
+  motion_.Restore(body.motion);
   family_state_ = body.family;
   pending_ns_ = body.pending_ns;
   clock_.Restore(body.clock ? std::optional(*body.clock) : std::nullopt);

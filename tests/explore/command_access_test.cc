@@ -22,6 +22,7 @@
 #include "motion/common/state_hash.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/sim/controller.h"
+#include "tests/motion/change_state.h"
 #include "vm/thread_words.h"
 
 namespace oncard::explore {
@@ -189,13 +190,13 @@ void SetUpCrd(double length, double velocity, runtime::Controller* card) {
   parameters.profile = {0, 0, 0, 0, 0, 1, 2};
   parameters.velocity_max = 100;
   parameters.acceleration_max = 1;
-  card->motion().SetUpCrd(0, parameters);
+  card->motion().CrdAt(0).SetUp(parameters);
   motion::PathSlot slot;
   slot.is_segment = true;
   slot.segment = *motion::MakeLine({}, {length, 50});
   slot.velocity = velocity;
   slot.acceleration = 0.5;
-  card->motion().AppendToCrd(0, 0, slot);
+  card->motion().CrdAt(0).Append(0, slot);
 }
 
 /// Stage 0 is the card at power-on. Later stages have axes in every mode and other values
@@ -364,7 +365,9 @@ class CalledCard {
   /// False if the call cannot be loaded: its array has fewer elements than the count.
   bool loaded() const { return loaded_; }
   runtime::Controller& card() { return *card_; }
-  CardState state() { return {card_->motion().state(), card_->card().state<gtcalls::GtsState>()}; }
+  CardState state() {
+    return {ChangeState(card_->motion()), card_->card().state<gtcalls::GtsState>()};
+  }
   StatementAccess Access() const { return NextAccess(*card_, kCaller); }
   int16_t Execute() {
     card_->machine().ExecuteOne(kCaller);

@@ -8,6 +8,7 @@
 #include "explore/reports/trail.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::explore {
 namespace {
@@ -89,11 +90,11 @@ TEST(StatementAccessTest, InAGantryACommandOfOneAxisMayReachTheOther) {
 
 TEST(StatementAccessTest, SoItMayWhereAConfigurationMapsAxesOtherwise) {
   const std::vector<std::function<void(motion::MotionCore*)>> changes = {
-      [](auto* motion) { motion->state().axes[3].profile_map = 0b10; },
-      [](auto* motion) { motion->state().axes[3].encoder_map = 0b11; },
-      [](auto* motion) { motion->state().controls[3].axis = 1; },
-      [](auto* motion) { motion->state().controls[3].encoder = 1; },
-      [](auto* motion) { motion->state().steps[3].axis = 1; },
+      [](auto* motion) { ChangeState(*motion).axes[3].profile_map = 0b10; },
+      [](auto* motion) { ChangeState(*motion).axes[3].encoder_map = 0b11; },
+      [](auto* motion) { ChangeState(*motion).controls[3].axis = 1; },
+      [](auto* motion) { ChangeState(*motion).controls[3].encoder = 1; },
+      [](auto* motion) { ChangeState(*motion).steps[3].axis = 1; },
   };
   for (const auto& change : changes) {
     EXPECT_EQ(AccessOfAxis2(change), (Touched{gtcalls::Resource::kAxis, Touched::kAll, true}));

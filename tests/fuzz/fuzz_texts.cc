@@ -56,7 +56,7 @@ void FuzzEni(std::string_view bytes) {
   }
   runtime::Controller controller(runtime::CardOptions(scenario));
   runtime::ApplyWorld(scenario, &controller);
-  if (!scenario.bus.slaves.empty()) controller.motion().state().bus->line.Init(0);
+  if (!scenario.bus.slaves.empty()) controller.motion().bus_line()->Init(0);
   controller.RunCycles(700);
 }
 

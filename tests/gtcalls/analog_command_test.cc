@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -43,7 +44,7 @@ TEST(DacCommand, ChannelCountAndValueAreCheckedAtBothEnds) {
 
 TEST(DacCommand, AChannelOfAServoControllerIsRefused) {
   CommandTestCard card;
-  card.motion.state().dacs[1].control = 1;
+  ChangeState(card.motion).dacs[1].control = 1;
   std::vector<double> values = {1, 2};
   const uint64_t before = card.Hash();
   EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 1);
@@ -79,8 +80,8 @@ TEST(DacCommand, BiasAndLimitAreCheckedAtBothEnds) {
 
 TEST(AdcCommand, ReadsVoltsAndConverterValues) {
   CommandTestCard card;
-  card.motion.state().adcs[6].volts = 5;
-  card.motion.state().adcs[7].volts = -12.5;
+  ChangeState(card.motion).adcs[6].volts = 5;
+  ChangeState(card.motion).adcs[7].volts = -12.5;
   card.Cycle();
   std::vector<double> read(2);
   EXPECT_EQ(card.Call("GT_GetAdcValue", {7, &read, 2, nullptr}), 0);
@@ -103,7 +104,7 @@ TEST(AdcCommand, ChannelAndCountAreCheckedAtBothEnds) {
 TEST(AdcCommand, TheFilterSlowsTheInput) {
   CommandTestCard card;
   EXPECT_EQ(card.Call("GT_SetAdcFilter", {1, 2}), 0);
-  card.motion.state().adcs[0].volts = 10;
+  ChangeState(card.motion).adcs[0].volts = 10;
   card.Cycle();
   std::vector<double> read(1);
   EXPECT_EQ(card.Call("GT_GetAdcValue", {1, &read, 1, nullptr}), 0);

@@ -55,7 +55,7 @@ class AxisCommandCard : public CommandTestCard {
   }
   /// Sets a pin, counted from 0, and runs the cycles of its filter.
   void Drive(motion::DiType type, int bit, bool level) {
-    motion.state().io.SetPin(type, bit, level);
+    motion.digital_io().SetPin(type, bit, level);
     Cycles(kDefaults.filter_ticks);
   }
 

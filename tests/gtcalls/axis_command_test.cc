@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/axis_command_support.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -217,7 +218,7 @@ TEST(AlarmOn, SwitchesTheAlarmInput) {
 
 TEST(AlarmOn, IsRefusedWithoutAnAlarmInput) {
   AxisCommandCard card;
-  card.motion.state().axes[0].alarm.bit = -1;
+  ChangeState(card.motion).axes[0].alarm.bit = -1;
   card.ExpectRefused(1, "GT_AlarmOn", {1});
   EXPECT_EQ(card.reason.en, "the configuration assigns no alarm input to axis 1");
   card.ExpectRefused(1, "GT_AlarmOff", {1});
@@ -245,7 +246,7 @@ TEST(LmtsOn, SwitchesTheLimitsOfItsType) {
 
 TEST(LmtsOn, IsRefusedWhenAnInputItNamesDoesNotExist) {
   AxisCommandCard card;
-  card.motion.state().axes[0].negative_limit.bit = -1;
+  ChangeState(card.motion).axes[0].negative_limit.bit = -1;
   for (const char* command : {"GT_LmtsOn", "GT_LmtsOff"}) {
     card.ExpectRefused(1, command, {1, -1});
     card.ExpectRefused(1, command, {1, 1});

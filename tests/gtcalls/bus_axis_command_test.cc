@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/bus_command_support.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -177,8 +178,8 @@ TEST(BusAxisCommands, HomeWithMethod3AsInTheManual) {
   motion::PositionSwitch home;
   home.first = 20'000;
   home.last = 1e9;
-  card.motion.state().switches.push_back(home);
-  card.motion.state().index_marks[0] = {500, 1000};
+  card.motion.AddSwitch(home);
+  card.motion.SetIndexMarks(0, {500, 1000});
   card.Enable();
   card.Expect(0, "GT_SetHomingMode", {1, 6});
   card.Expect(0, "GT_SetEcatHomingPrm", {1, 3, 50, 3, 100'000, 0, 0});
@@ -208,8 +209,8 @@ TEST(BusAxisCommands, TheManualsCycleHomesAndStops) {
     motion::PositionSwitch home;
     home.first = 20'000;
     home.last = 1e9;
-    card.motion.state().switches.push_back(home);
-    card.motion.state().index_marks[0] = {500, 1000};
+    card.motion.AddSwitch(home);
+    card.motion.SetIndexMarks(0, {500, 1000});
     card.Enable();
     const int64_t step = (motion::bus::kBusStepUs + cycle_us - 1) / cycle_us;
     EXPECT_EQ(card.motion.now(), (3 * step + 8) * cycle_us);
@@ -357,7 +358,7 @@ TEST(BusAxisCommands, AFollowingErrorStopsTheAxis) {
   card.Expect(0, "GT_SetPosErr", {1, 100});
   StartJog(card);
   card.Cycles(100);
-  card.motion.state().plants[0].stalled = true;
+  ChangeState(card.motion).plants[0].stalled = true;
   card.Cycles(100);
   EXPECT_NE(card.Status() & 1u << 4, 0u);
   EXPECT_EQ(card.Status() & (kEnabledBit | kMovingBit), 0u);

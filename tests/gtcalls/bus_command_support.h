@@ -55,7 +55,7 @@ class BusCommandCard : public CommandTestCard {
     return cell[0];
   }
   uint32_t Status(int axis = 1) { return card.view().StatusWord(static_cast<size_t>(axis - 1)); }
-  motion::bus::Bus& bus() { return motion.state().bus->line; }
+  motion::bus::Bus& bus() { return *motion.bus_line(); }
   double motor(size_t axis = 0) { return motion.state().plants[axis].position; }
 };
 

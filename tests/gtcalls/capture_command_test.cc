@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -10,16 +11,16 @@ using Cells = std::vector<double>;
 
 /// Moves axis 1 to `target` at up to 100 pulse/ms.
 void Move(CommandTestCard& card, int target) {
-  motion::Profile& profile = card.motion.state().profiles[0];
+  motion::Profile& profile = ChangeState(card.motion).profiles[0];
   profile.trap.target = target;
   profile.trap.velocity = 100;
-  card.motion.StartProfile(0);
+  card.motion.ProfileAt(0).Start();
   while (profile.now.moving) card.motion.Tick();
 }
 
 void AddHome(CommandTestCard& card, double first, double last) {
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().switches.push_back({.axis = 0, .first = first, .last = last});
+  card.motion.AddSwitch({.axis = 0, .first = first, .last = last});
   card.motion.Tick();
 }
 
@@ -48,7 +49,7 @@ TEST(Capture, IndexMarksRepeatInOrder) {
   for (const int64_t cycle_us : {125, 4000}) {
     CommandTestCard card({.cycle_us = cycle_us});
     ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-    card.motion.state().index_marks[0] = {.offset = 7, .period = 100};
+    card.motion.SetIndexMarks(0, {.offset = 7, .period = 100});
     ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {1, 3}), 0);
     ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 2}), 0);
     Move(card, 20000);
@@ -109,7 +110,7 @@ TEST(Capture, IsForgottenWhenItsStatusIsCleared) {
 
 TEST(Capture, WhatIsHighAtPowerOnOrRestsByItsSenseMakesNoEdge) {
   CommandTestCard card;
-  card.motion.state().switches.push_back({.axis = 0, .first = 10, .last = 20, .active_low = true});
+  card.motion.AddSwitch({.axis = 0, .first = 10, .last = 20, .active_low = true});
   PowerOn(card, {Pin(0, motion::DiType::kGpi, 0, true)});
   for (const int source : {1, 3}) ASSERT_EQ(card.Call("GT_SetCaptureSense", {1, source, 1}), 0);
   ASSERT_EQ(card.Call("GT_SetCaptureSense", {2, 1, 1}), 0);
@@ -118,7 +119,7 @@ TEST(Capture, WhatIsHighAtPowerOnOrRestsByItsSenseMakesNoEdge) {
   Cells trigger = {1, 3, 1, 1, 0, 0, 0, 0, 0};
   ASSERT_EQ(card.Call("GT_SetTrigger", {1, &trigger}), 0);
   // Home input 2 is not connected.
-  card.motion.state().io.SetInverted(motion::DiType::kHome, 2);
+  card.motion.digital_io().SetInverted(motion::DiType::kHome, 2);
   card.Cycles(3);
   Cells status(2), values(2), triggered(3);
   ASSERT_EQ(card.Call("GT_GetCaptureStatus", {1, &status, &values, 2, nullptr}), 0);
@@ -136,11 +137,11 @@ void MoveAndCompare(CommandTestCard& card, Cells points, int rising) {
   ASSERT_EQ(card.Call("GT_SetCaptureSense", {2, 6, rising}), 0);
   for (const int axis : {1, 2}) {
     ASSERT_EQ(card.Call("GT_AxisOn", {axis}), 0);
-    motion::Profile& profile = card.motion.state().profiles[static_cast<size_t>(axis - 1)];
+    motion::Profile& profile = ChangeState(card.motion).profiles[static_cast<size_t>(axis - 1)];
     profile.trap.target = 3000;
     profile.trap.velocity = 10;
     profile.trap.parameters.acc = 0.25;
-    card.motion.StartProfile(static_cast<size_t>(axis - 1));
+    card.motion.ProfileAt(static_cast<size_t>(axis - 1)).Start();
   }
 }
 
@@ -192,7 +193,7 @@ TEST(Capture, ASmallerNumberThanIsCapturedEndsIt) {
 TEST(Capture, OffsetsAreAddedToSuccessiveCaptures) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+  card.motion.SetIndexMarks(0, {.offset = 0, .period = 1000});
   Cells offsets = {10, 20};
   ASSERT_EQ(card.Call("GT_SetCaptureOffset", {1, &offsets, 2, 1}), 0);
   ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {1, 3}), 0);
@@ -209,7 +210,7 @@ TEST(Capture, OffsetsAreAddedToSuccessiveCaptures) {
 TEST(Trigger, IgnoresEdgesOutsideItsWindow) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+  card.motion.SetIndexMarks(0, {.offset = 0, .period = 1000});
   Cells trigger = {1, 2, 1, 0, 5, 0, 1, 2500, 9000};
   ASSERT_EQ(card.Call("GT_SetTrigger", {2, &trigger}), 0);
   Move(card, 20000);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -134,7 +135,7 @@ TEST(CardConfig, EncodersGetTheirSenseAndSourceAndTheMachineFits) {
 
 TEST(CardConfig, InputsGetSenseFilterAndActivity) {
   ConfiguredCard card("[home2]\nreverse=1\nfilterTime=1\n[gpi1]\nactive=0\n");
-  auto& io = card.motion.state().io;
+  auto& io = ChangeState(card.motion).io;
   EXPECT_EQ(io.Read(DiType::kHome), 0u);  // not driven: never active
   io.SetPin(DiType::kHome, 1, false);
   io.SetPin(DiType::kGpi, 0, true);
@@ -278,7 +279,7 @@ TEST(LoadConfig, IsRefusedWhileAnythingMoves) {
 
 TEST(LoadConfig, LatchedBitsStayUntilTheyAreCleared) {
   CommandTestCard card;
-  card.motion.state().io.SetPin(DiType::kAlarm, 0, true);
+  card.motion.digital_io().SetPin(DiType::kAlarm, 0, true);
   card.Cycles(4);
   EXPECT_TRUE(card.motion.Conditions(0) & motion::kAlarmBit);
   const ConfigFile file("[axis1]\nalarmIndex=-1\n");
@@ -291,7 +292,7 @@ TEST(LoadConfig, LatchedBitsStayUntilTheyAreCleared) {
 
 TEST(LoadConfig, MovesNoMachineAndKeepsEncoders) {
   CommandTestCard card;
-  card.motion.ServoOn(0);
+  card.motion.AxisAt(0).ServoOn();
   EXPECT_EQ(card.Call("GT_SetPos", {1, 1000}), 0);
   EXPECT_EQ(card.Call("GT_SetVel", {1, 10}), 0);
   EXPECT_EQ(card.Call("GT_Update", {1}), 0);

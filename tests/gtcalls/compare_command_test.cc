@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -12,11 +13,11 @@ using Cells = std::vector<double>;
 void MoveAxis1(CommandTestCard& card, int target) {
   EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
   EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  motion::Profile& profile = card.motion.state().profiles[0];
+  motion::Profile& profile = ChangeState(card.motion).profiles[0];
   profile.trap.target = target;
   profile.trap.velocity = 100;
   profile.trap.parameters.acc = 1;
-  card.motion.StartProfile(0);
+  card.motion.ProfileAt(0).Start();
 }
 
 // Example 4 of the application notes: two pulses of 500 us at +10000 and +20000 of axis 1.
@@ -31,11 +32,11 @@ TEST(Compare2D, TheExampleGivesTwoPulsesWhateverTheCycle) {
     Cells points = {0, 10000, 0, 20000};
     ASSERT_EQ(card.Call("GT_2DCompareData", {0, 2, &points, 0}), 0);
     ASSERT_EQ(card.Call("GT_2DCompareStart", {0}), 0);
-    motion::Profile& profile = card.motion.state().profiles[0];
+    motion::Profile& profile = ChangeState(card.motion).profiles[0];
     profile.trap.target = 30000;
     profile.trap.velocity = 100;
     profile.trap.parameters.acc = 1;
-    card.motion.StartProfile(0);
+    card.motion.ProfileAt(0).Start();
     for (int64_t us = 0; us < 600000; us += cycle_us) card.motion.Tick();
     Cells status(1), count(1), fifo(1), space(1), hardware(1);
     ASSERT_EQ(card.Call("GT_2DCompareStatus", {0, &status, &count, &fifo, &space, &hardware}), 0);
@@ -60,7 +61,7 @@ TEST(Compare2D, HitsWhereBothErrorsAreSmallEnough) {
   // For any length of the cycles.
   for (const int ticks : {1, 2, 3, 7, 100}) {
     motion::CompareUnit compare;
-    compare.module(0).parameters = {.two_dimensional = true, .x = 0, .y = 1, .max_error = 10};
+    compare.SetParameters(0, {.two_dimensional = true, .x = 0, .y = 1, .max_error = 10});
     compare.Append(0, {{0, 0}});
     compare.Start(0, 0, 0);
     for (int i = 0; i < ticks; ++i) {
@@ -79,7 +80,7 @@ TEST(Compare2D, HitsWhereBothErrorsAreSmallEnough) {
 
 TEST(Compare2D, HitsWhatItTurnsBackFrom) {
   motion::CompareUnit compare;
-  compare.module(0).parameters = {.two_dimensional = true, .x = 0, .y = 1, .max_error = 3};
+  compare.SetParameters(0, {.two_dimensional = true, .x = 0, .y = 1, .max_error = 3});
   compare.Append(0, {{100, 0}});
   compare.Start(0, 0, 0);
   motion::EncoderWay way;

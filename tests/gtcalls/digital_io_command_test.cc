@@ -122,7 +122,7 @@ TEST(DoBitPulse, RefusesTimesOfZeroAndNegativeCounts) {
 
 TEST(DiCommand, RawIsThePinAndGetDiTheFilteredLevel) {
   CommandTestCard card;
-  card.motion.state().io.SetPin(DiType::kGpi, 9, true);
+  card.motion.digital_io().SetPin(DiType::kGpi, 9, true);
   std::vector<double> raw(1);
   EXPECT_EQ(card.Call("GT_GetDiRaw", {kGpi, &raw}), 0);
   EXPECT_EQ(raw[0], 0x200);
@@ -145,10 +145,10 @@ TEST(DiReverseCount, CountsAreSetAndReadForConsecutiveInputs) {
   CommandTestCard card;
   std::vector<double> counts = {10, 20, 4294967295.0, 40};
   EXPECT_EQ(card.Call("GT_SetDiReverseCount", {kGpi, 13, &counts, 4}), 0);
-  card.motion.state().io.SetPin(DiType::kGpi, 14, true);  // input 15
-  card.motion.state().io.SetPin(DiType::kGpi, 12, true);  // input 13
+  card.motion.digital_io().SetPin(DiType::kGpi, 14, true);  // input 15
+  card.motion.digital_io().SetPin(DiType::kGpi, 12, true);  // input 13
   card.Cycles(3);
-  card.motion.state().io.SetPin(DiType::kGpi, 12, false);
+  card.motion.digital_io().SetPin(DiType::kGpi, 12, false);
   card.Cycles(3);
   EXPECT_EQ(card.Call("GT_GetDiReverseCount", {kGpi, 13, &counts, 4}), 0);
   EXPECT_EQ(counts, (std::vector<double>{12, 20, 0, 40}));
@@ -179,8 +179,8 @@ TEST(LmtSns, InvertsTheLimitsOfEachAxis) {
   // All pins are high: with sense 0 the limits are active, with sense 1 they are not.
   CommandTestCard card;
   for (int bit = 0; bit < 8; ++bit) {
-    card.motion.state().io.SetPin(DiType::kLimitPositive, bit, true);
-    card.motion.state().io.SetPin(DiType::kLimitNegative, bit, true);
+    card.motion.digital_io().SetPin(DiType::kLimitPositive, bit, true);
+    card.motion.digital_io().SetPin(DiType::kLimitNegative, bit, true);
   }
   card.Cycles(3);
   EXPECT_EQ(Di(card, 0), 0xFF);
@@ -206,8 +206,8 @@ TEST(LmtSns, LimitsWithoutWiringAreNeverTriggered) {
 
 TEST(GpiSns, InvertsGeneralInputs) {
   CommandTestCard card;
-  card.motion.state().io.SetPin(DiType::kGpi, 0, true);
-  card.motion.state().io.SetPin(DiType::kGpi, 15, false);
+  card.motion.digital_io().SetPin(DiType::kGpi, 0, true);
+  card.motion.digital_io().SetPin(DiType::kGpi, 15, false);
   card.Cycles(3);
   EXPECT_EQ(card.Call("GT_GpiSns", {0x8001}), 0);
   EXPECT_EQ(Di(card, kGpi), 0x8000);

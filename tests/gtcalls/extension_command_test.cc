@@ -18,7 +18,7 @@ TEST(ExtensionCommand, DigitalOutputsAreWrittenByWordAndByBit) {
 
 TEST(ExtensionCommand, DigitalInputsAreReadByWordAndByBit) {
   CommandTestCard card;
-  card.motion.state().modules[0].inputs = 0x8001;
+  card.motion.module(0).inputs = 0x8001;
   std::vector<double> value(1);
   EXPECT_EQ(card.Call("GT_GetExtIoValue", {0, &value}), 0);
   EXPECT_EQ(value[0], 0x8001);
@@ -30,7 +30,7 @@ TEST(ExtensionCommand, DigitalInputsAreReadByWordAndByBit) {
 
 TEST(ExtensionCommand, AnalogueChannelsConvert) {
   CommandTestCard card;
-  auto& module = card.motion.state().modules[3];
+  auto& module = card.motion.module(3);
   EXPECT_EQ(card.Call("GT_SetExtDaVoltage", {3, 7, -2.5}), 0);
   EXPECT_EQ(module.output_volts[7], -2.5);
   EXPECT_EQ(card.Call("GT_SetExtDaValue", {3, 0, 65535}), 0);
@@ -74,7 +74,7 @@ TEST(ExtensionCommand, AMissingModuleIsRefusedAndReportedAsAFault) {
   std::vector<double> value(1);
   EXPECT_EQ(card.Call("GT_GetStsExtMdl", {2, 0, &value}), 0);
   EXPECT_EQ(value[0], 0);
-  card.motion.state().modules[2].present = false;
+  card.motion.module(2).present = false;
   const uint64_t before = card.Hash();
   EXPECT_EQ(card.Call("GT_SetExtIoValue", {2, 1}), 1);
   EXPECT_EQ(card.Call("GT_GetExtIoValue", {2, &value}), 1);

@@ -6,6 +6,7 @@
 
 #include "gtcalls/gts/buffered_values.h"
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -69,7 +70,7 @@ TEST(BufferedValues, AreWrittenInTheCycleInWhichThePathReachesThem) {
        {BufferedValue{ValueTarget::kLong, 7, -5, {}},
         BufferedValue{ValueTarget::kDouble, 8, 2.5, {}},
         BufferedValue{ValueTarget::kProgram, 0, 6, {.global = true, .id = 0}}}) {
-    card.motion.state().reached.push_back(EncodeValue(value));
+    ChangeState(card.motion).reached.push_back(EncodeValue(value));
   }
   card.Cycle();
   EXPECT_EQ(card.state().long_vars[7], -5);

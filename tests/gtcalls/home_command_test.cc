@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -45,7 +46,7 @@ int RunToEnd(CommandTestCard& card) {
 }
 
 void AddSwitch(CommandTestCard& card, motion::DiType type, double first, double last) {
-  card.motion.state().switches.push_back({.axis = 0, .type = type, .first = first, .last = last});
+  card.motion.AddSwitch({.axis = 0, .type = type, .first = first, .last = last});
   card.motion.Tick();
 }
 
@@ -84,7 +85,7 @@ TEST(GoHome, EveryModeEndsAtItsOrigin) {
   for (const auto& c : cases) {
     CommandTestCard card;
     ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-    card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+    card.motion.SetIndexMarks(0, {.offset = 0, .period = 1000});
     AddSwitch(card, motion::DiType::kHome, 4000, 6000);
     AddSwitch(card, motion::DiType::kLimitPositive, 18000, 1e9);
     Cells cells = Example(card);
@@ -109,7 +110,7 @@ TEST(GoHome, EndsAtTheSamePlaceWithAnInputShaper) {
     CommandTestCard card;
     ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
     ASSERT_EQ(card.Call("GT_SetAxisInputShaping", {1, count > 0 ? 1 : 0, count, 0.8}), 0);
-    card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+    card.motion.SetIndexMarks(0, {.offset = 0, .period = 1000});
     AddSwitch(card, motion::DiType::kHome, 4300, 6000);
     Cells cells = Example(card);
     cells[0] = 22;
@@ -180,7 +181,7 @@ TEST(GoHome, AnAlarmIsError3) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   Cells cells = Example(card);
-  card.motion.state().axes[0].latched |= motion::kAlarmBit;
+  ChangeState(card.motion).axes[0].latched |= motion::kAlarmBit;
   EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 1);
   EXPECT_EQ(Status(card)[2], 3);
 }
@@ -188,7 +189,7 @@ TEST(GoHome, AnAlarmIsError3) {
 TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 30001, .period = 1e6};
+  card.motion.SetIndexMarks(0, {.offset = 30001, .period = 1e6});
   Cells cells = Example(card);
   cells[0] = 30;
   ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
@@ -201,7 +202,7 @@ TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
 TEST(GoHome, AnEncoderWithoutMarksIsSearchedToTheEnd) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 0, .period = 0};
+  card.motion.SetIndexMarks(0, {.offset = 0, .period = 0});
   Cells cells = Example(card);
   cells[0] = 30;
   ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
@@ -213,7 +214,7 @@ TEST(GoHome, AnEncoderWithoutMarksIsSearchedToTheEnd) {
 TEST(GoHome, AnInactiveEncoderIsError9) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().encoders[0].active = false;
+  ChangeState(card.motion).encoders[0].active = false;
   Cells cells = Example(card);
   cells[0] = 30;
   ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
@@ -401,7 +402,7 @@ TEST(SimpleHome, AnIndexSearchSetUpBeforeItFollowsTheSwitch) {
   // after it, at 66123, and its offset 2000.
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 6123, .period = 10000};
+  card.motion.SetIndexMarks(0, {.offset = 6123, .period = 10000});
   AddSwitch(card, motion::DiType::kHome, 58000, 60000);
   card.Expect(0, "GT_HomeInit");
   card.Expect(0, "GT_Index", {1, 20000, 2000});
@@ -423,7 +424,7 @@ TEST(SimpleHome, AnIndexSearchSetUpBeforeItFollowsTheSwitch) {
 TEST(SimpleHome, AnIndexThatIsNotFoundEndsWithStatus2) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 9000, .period = 100000};
+  card.motion.SetIndexMarks(0, {.offset = 9000, .period = 100000});
   AddSwitch(card, motion::DiType::kHome, 4000, 6000);
   card.Expect(0, "GT_HomeInit");
   card.Expect(0, "GT_Index", {1, 2000, 0});

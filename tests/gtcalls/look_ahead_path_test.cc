@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/gtcalls/look_ahead_support.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -34,8 +35,8 @@ TEST(LookAheadPath, ALongProgramNeedsNoMoreMemoryThanTheBuffers) {
   const size_t largest = 2 * motion::kCrdFifoSize;
   for (int sent = 1; sent <= kCount; ++sent) {
     // The card takes segments as fast as they come: what has left the look-ahead is executed.
-    motion::CrdFifo& fifo = card.fifo();
-    while (fifo.space() == 0) fifo.slots.Clear();
+    const motion::CrdFifo& fifo = card.fifo();
+    while (fifo.space() == 0) ChangeState(card.motion).crds[0].fifos[0].slots.Clear();
     ASSERT_EQ(card.Call(line, Relief(sent)), 0) << sent << card.reason.en;
     ASSERT_LE(fifo.planner->spans.size(), size_t{kWindow});
     ASSERT_LE(fifo.planner->ring.slots.size(), size_t{2 * kWindow + 2});

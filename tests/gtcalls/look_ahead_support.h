@@ -42,7 +42,7 @@ class LookAheadCard : public CrdCommandCard {
     return Call("GT_LnXYEx", {1, x, y, 50.0, 500.0, number, 0, 0});
   }
   int16_t Flush() { return Call("GT_CrdDataEx", {1, nullptr, 0}); }
-  motion::CrdFifo& fifo(size_t index = 0) { return motion.state().crds[0].fifos[index]; }
+  const motion::CrdFifo& fifo(size_t index = 0) { return motion.state().crds[0].fifos[index]; }
   /// Starts the coordinate system and runs it to its end; the number of cycles.
   int Run() {
     EXPECT_EQ(Call("GT_CrdStart", {1, 0}), 0) << reason.en;

@@ -51,7 +51,7 @@ TEST_F(PlcBlocksTest, DiCopiesAnInputOrItsComplement) {
   Evaluate();
   EXPECT_EQ(Read(kOut), 0);
   EXPECT_EQ(Read(kIn), 1);
-  card_.motion.state().io.SetPin(motion::DiType::kHome, 2, true);
+  card_.motion.digital_io().SetPin(motion::DiType::kHome, 2, true);
   for (int i = 0; i < 3; ++i) card_.motion.Tick();
   Evaluate();
   EXPECT_EQ(Read(kOut), 1);
@@ -183,7 +183,7 @@ TEST_F(PlcBlocksTest, InputsComeFirstAndOutputsLast) {
   Bind(DoBlock{.type = motion::DoType::kGpo, .bit = 0}, kOut);
   Bind(TimerBlock{.input = kIn, .delay_us = 0}, kOut);
   Bind(DiBlock{.type = motion::DiType::kGpi, .bit = 0}, kIn);
-  card_.motion.state().io.SetPin(motion::DiType::kGpi, 0, true);
+  card_.motion.digital_io().SetPin(motion::DiType::kGpi, 0, true);
   for (int i = 0; i < 3; ++i) card_.motion.Tick();
   Evaluate();
   EXPECT_EQ(card_.motion.state().io.Register(motion::DoType::kGpo), 1u);

@@ -161,7 +161,7 @@ TEST(PlcBind, DiToTimerToDoWorksThroughTheCommands) {
   ASSERT_EQ(Bind(card, "GT_BindDi", -1, 2, {4, 1, 0}), 0);
   ASSERT_EQ(Bind(card, "GT_BindTimer", -1, 0, {0, 1, 2}), 0);
   ASSERT_EQ(Bind(card, "GT_BindDo", -1, 0, {12, 16, 0}), 0);
-  card.motion.state().io.SetPin(motion::DiType::kGpi, 0, true);
+  card.motion.digital_io().SetPin(motion::DiType::kGpi, 0, true);
   card.Cycles(3 + 3);  // it passes the filter in cycle 3, the timer 4 cycles later
   EXPECT_EQ(card.motion.state().io.Register(motion::DoType::kGpo), 0u);
   card.Cycle();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/axis_command_support.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -73,7 +74,7 @@ TEST(GetPrfMode, NumbersTheModes) {
                                ProfileMode::kGear, ProfileMode::kFollow, ProfileMode::kCrd,
                                ProfileMode::kPvt};
   for (size_t i = 0; i < std::size(modes); ++i) {
-    card.motion.state().profiles[0].mode = modes[i];
+    ChangeState(card.motion).profiles[0].mode = modes[i];
     EXPECT_EQ(card.Read("GT_GetPrfMode"), static_cast<double>(i));
   }
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -184,7 +185,7 @@ TEST(PtStart, IsRefusedWhileAnAlarmIsLatched) {
   CommandTestCard card;
   card.Call("GT_PrfPt", {1, 0});
   SendExample73(card);
-  card.motion.state().axes[0].latched = motion::kAlarmBit;
+  ChangeState(card.motion).axes[0].latched = motion::kAlarmBit;
   EXPECT_EQ(card.Call("GT_PtStart", {1, 0}), 1);
 }
 

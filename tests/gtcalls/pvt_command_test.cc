@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -138,7 +139,7 @@ TEST(PvtStart, IsRefusedWhileAnAlarmIsLatched) {
   CommandTestCard card;
   FillEven(card, 1);
   card.Call("GT_PrfPvt", {1});
-  card.motion.state().axes[0].latched = motion::kAlarmBit;
+  ChangeState(card.motion).axes[0].latched = motion::kAlarmBit;
   EXPECT_EQ(card.Call("GT_PvtStart", {1}), 1);
 }
 

@@ -30,12 +30,12 @@ TEST(CtrlMode, ClosesTheLoopThroughTheOutputOfTheSameNumber) {
 
 TEST(CtrlMode, IsRefusedWhileEnabledAndWithoutAnExternalEncoder) {
   CommandTestCard card;
-  card.motion.ServoOn(0);
+  card.motion.AxisAt(0).ServoOn();
   const uint64_t before = card.Hash();
   EXPECT_EQ(card.Call("GT_CtrlMode", {1, 0}), 1);
   EXPECT_EQ(card.Call("GT_CtrlMode", {1, 1}), 1);
   EXPECT_EQ(card.Hash(), before);
-  card.motion.ServoOff(0);
+  card.motion.AxisAt(0).ServoOff();
   EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
   EXPECT_EQ(card.Call("GT_CtrlMode", {1, 0}), 1);
   EXPECT_EQ(card.Call("GT_CtrlMode", {1, 1}), 0);

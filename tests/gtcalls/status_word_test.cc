@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -19,31 +20,31 @@ TEST(StatusWord, HasTheLatchedConditionsAtTheirPlaces) {
   CommandTestCard card;
   uint32_t all = 0;
   for (const auto& c : cases) {
-    card.motion.state().axes[2].latched = c.condition;
+    ChangeState(card.motion).axes[2].latched = c.condition;
     EXPECT_EQ(card.card.view().StatusWord(2), c.word) << c.word;
     EXPECT_EQ(card.card.view().StatusWord(1), 0u) << "another axis";
     all |= c.condition;
   }
-  card.motion.state().axes[2].latched = all;
+  ChangeState(card.motion).axes[2].latched = all;
   EXPECT_EQ(card.card.view().StatusWord(2), 0x1f2u);
 }
 
 TEST(StatusWord, ShowsTheDriveAndTheMotion) {
   CommandTestCard card;
-  motion::Axis& axis = card.motion.state().axes[0];
+  motion::Axis& axis = ChangeState(card.motion).axes[0];
   EXPECT_EQ(card.card.view().StatusWord(0), 0u);
   axis.servo_on = true;
   EXPECT_EQ(card.card.view().StatusWord(0), 0x200u);
   axis.in_position = true;
   EXPECT_EQ(card.card.view().StatusWord(0), 0xa00u);
-  card.motion.state().profiles[0].now.moving = true;
+  ChangeState(card.motion).profiles[0].now.moving = true;
   EXPECT_EQ(card.card.view().StatusWord(0), 0x600u) << "a moving axis is not in position";
 }
 
 TEST(StatusWord, IsWhatGtGetStsGives) {
   CommandTestCard card;
-  card.motion.state().axes[0].latched = motion::kAlarmBit;
-  card.motion.state().axes[1].servo_on = true;
+  ChangeState(card.motion).axes[0].latched = motion::kAlarmBit;
+  ChangeState(card.motion).axes[1].servo_on = true;
   std::vector<double> words(2);
   card.Expect(0, "GT_GetSts", {1, &words, 2, nullptr});
   EXPECT_EQ(words, (std::vector<double>{0x002, 0x200}));

@@ -5,6 +5,7 @@
 
 #include "gtcalls/gts/catalogue.h"
 #include "tests/gtcalls/command_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -78,7 +79,7 @@ TEST(Clock, LoopMayBeNull) {
 
 TEST(Clock, WrapsAt32Bits) {
   CommandTestCard card;
-  card.motion.state().clock_cycle = (int64_t{1} << 32) * 4 + 40;  // 2^32 ms and 10 ms
+  ChangeState(card.motion).clock_cycle = (int64_t{1} << 32) * 4 + 40;  // 2^32 ms and 10 ms
   std::vector<double> clock(1);
   std::vector<double> loop(1);
   EXPECT_EQ(card.Call("GT_GetClock", {&clock, &loop}), 0);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tests/gtcalls/axis_command_support.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -193,7 +194,7 @@ TEST(SetVel, IsForModesTrapAndJogWithinItsRange) {
     }
     EXPECT_EQ(Parameters(card, "GT_GetVel", 1)[0], -32766.5);
   }
-  card.motion.state().profiles[0].mode = ProfileMode::kGear;
+  ChangeState(card.motion).profiles[0].mode = ProfileMode::kGear;
   std::vector<double> value(1);
   card.ExpectRefused(1, "GT_SetVel", {1, 5});
   EXPECT_EQ(card.reason.en,
@@ -233,7 +234,7 @@ TEST(Update, StartsAllOfItsAxesInTheSameCycle) {
 TEST(Update, StartsNoneWhenOneIsInAnotherMode) {
   AxisCommandCard card;
   card.PrepareTrap(1, 1000, 10);
-  card.motion.state().profiles[1].mode = ProfileMode::kPt;
+  ChangeState(card.motion).profiles[1].mode = ProfileMode::kPt;
   card.ExpectRefused(1, "GT_Update", {0b11});
   EXPECT_EQ(card.reason.en,
             "profile 2 is in mode PT; this needs mode Trap or Jog, call GT_PrfTrap or GT_PrfJog");

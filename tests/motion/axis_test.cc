@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 namespace {
@@ -20,9 +21,9 @@ class AxisCard {
   explicit AxisCard(Micros cycle_us = 1000, int axis_count = 8)
       : core({.axis_count = axis_count, .cycle_us = cycle_us}) {}
 
-  Axis& axis(size_t i = 0) { return core.state().axes[i]; }
-  Profile& profile(size_t i = 0) { return core.state().profiles[i]; }
-  Encoder& encoder(size_t i = 0) { return core.state().encoders[i]; }
+  Axis& axis(size_t i = 0) { return ChangeState(core).axes[i]; }
+  Profile& profile(size_t i = 0) { return ChangeState(core).profiles[i]; }
+  Encoder& encoder(size_t i = 0) { return ChangeState(core).encoders[i]; }
 
   void SetTrap(const TrapParameters& parameters, size_t i = 0) {
     profile(i).trap.parameters = parameters;
@@ -30,7 +31,7 @@ class AxisCard {
   void MoveTo(int32_t target, double velocity, size_t i = 0) {
     profile(i).trap.target = target;
     profile(i).trap.velocity = velocity;
-    core.StartProfile(i);
+    core.ProfileAt(i).Start();
   }
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) core.Tick();
@@ -44,7 +45,7 @@ class AxisCard {
   }
   /// Sets a pin and runs the ticks of its filter.
   void Drive(DiType type, int bit, bool level) {
-    core.state().io.SetPin(type, bit, level);
+    core.digital_io().SetPin(type, bit, level);
     Ticks(kFilterTicks);
   }
   uint32_t conditions(size_t i = 0) const { return core.Conditions(i); }
@@ -63,8 +64,8 @@ TEST(AxisScale, TheAxisIsTheProfileTimesBetaOverAlpha) {
   for (const auto& scale : scales) {
     for (const int32_t target : {100, 1000, -5000}) {
       AxisCard card;
-      card.core.SetProfileScale(0, {scale.alpha, scale.beta});
-      card.core.SetEncoderScale(0, {scale.alpha, scale.beta});
+      card.core.AxisAt(0).SetProfileScale({scale.alpha, scale.beta});
+      card.core.AxisAt(0).SetEncoderScale({scale.alpha, scale.beta});
       card.SetTrap({.acc = 1, .dec = 1});
       card.MoveTo(target, 10);
       card.Ticks(5);
@@ -87,16 +88,16 @@ TEST(AxisScale, AQuotientThatIsWholeIsExact) {
 
 TEST(AxisScale, AChangeComputesThePositionAnewAndMovesNothing) {
   AxisCard card;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.SetTrap({.acc = 10, .dec = 10});
   card.MoveTo(3000, 100);
   card.TicksToRest();
-  card.core.SetProfileScale(0, {3, 1});
+  card.core.AxisAt(0).SetProfileScale({3, 1});
   EXPECT_EQ(card.axis().profile.position, 1000);
   card.Ticks(3);
   EXPECT_EQ(card.axis().profile.position, 1000);
   EXPECT_EQ(card.encoder().position, 3000);
-  card.core.SetEncoderScale(0, {3, 1});
+  card.core.AxisAt(0).SetEncoderScale({3, 1});
   card.Ticks(1);
   EXPECT_EQ(card.axis().encoder.position, 1000);
   // The motor follows the axis: 3000 profile pulses are 1000 of the axis.
@@ -147,11 +148,11 @@ TEST(AxisMap, AStopOfTheAxisStopsAllOfItsProfiles) {
 
 TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
   AxisCard card;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.SetTrap({.acc = 10, .dec = 10});
   card.MoveTo(1000, 50);
   card.TicksToRest();
-  card.core.SetProfilePosition(0, 5000);
+  card.core.ProfileAt(0).SetPosition(5000);
   EXPECT_EQ(card.profile().now.position, 5000);
   card.Ticks(2);
   EXPECT_EQ(card.axis().profile.position, 1000);
@@ -160,7 +161,7 @@ TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
   card.TicksToRest();
   EXPECT_EQ(card.axis().profile.position, 1500);
   EXPECT_EQ(card.encoder().position, 1500);
-  card.core.SynchAxis(0);
+  card.core.AxisAt(0).SynchPosition();
   EXPECT_EQ(card.axis().profile.position, 5500);
   EXPECT_EQ(card.axis().encoder.position, 1500);
   // This has not moved the motor, which follows as before.
@@ -174,12 +175,12 @@ TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
 
 TEST(AxisPosition, SettingAnEncoderLeavesTheAxisUntilSynch) {
   AxisCard card;
-  card.core.SetEncoderPosition(0, -300);
+  card.core.EncoderAt(0).SetPosition(-300);
   EXPECT_EQ(card.encoder().position, -300);
   card.Ticks(2);
   EXPECT_EQ(card.axis().encoder.position, 0);
   EXPECT_EQ(card.encoder().velocity, 0);
-  card.core.SynchAxis(0);
+  card.core.AxisAt(0).SynchPosition();
   EXPECT_EQ(card.axis().encoder.position, -300);
   EXPECT_EQ(card.axis().profile.position, 0);
 }
@@ -187,7 +188,7 @@ TEST(AxisPosition, SettingAnEncoderLeavesTheAxisUntilSynch) {
 TEST(AxisPosition, OnlyAxesThatMapTheProfileAreTouched) {
   AxisCard card;
   card.axis(3).profile_map = 0b1;
-  card.core.SetProfilePosition(0, 77);
+  card.core.ProfileAt(0).SetPosition(77);
   card.Ticks(1);
   EXPECT_EQ(card.axis(0).profile.offset, -77);
   EXPECT_EQ(card.axis(3).profile.offset, -77);
@@ -196,12 +197,12 @@ TEST(AxisPosition, OnlyAxesThatMapTheProfileAreTouched) {
 
 TEST(AxisPosition, ZeroSetsProfileEncoderAndAxis) {
   AxisCard card;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.SetTrap({.acc = 10, .dec = 10});
   card.MoveTo(1000, 50);
   card.TicksToRest();
-  card.core.SetProfilePosition(0, 5000);
-  card.core.ZeroAxis(0);
+  card.core.ProfileAt(0).SetPosition(5000);
+  card.core.AxisAt(0).ZeroPosition();
   card.Ticks(2);
   EXPECT_EQ(card.profile().now.position, 0);
   EXPECT_EQ(card.encoder().position, 0);
@@ -213,8 +214,8 @@ TEST(AxisPosition, ZeroSetsProfileEncoderAndAxis) {
 TEST(AxisPosition, ThePulseCounterCountsNoPulsesForASynch) {
   AxisCard card;
   card.encoder().external = false;
-  card.core.SetProfilePosition(0, 5000);
-  card.core.SynchAxis(0);
+  card.core.ProfileAt(0).SetPosition(5000);
+  card.core.AxisAt(0).SynchPosition();
   card.Ticks(2);
   EXPECT_EQ(card.encoder().position, 0);
   card.SetTrap({.acc = 10, .dec = 10});
@@ -267,7 +268,7 @@ TEST(SoftLimit, TheLimitItselfIsInside) {
 
 TEST(SoftLimit, CountsInUnitsOfTheAxis) {
   AxisCard card;
-  card.core.SetProfileScale(0, {2, 1});
+  card.core.AxisAt(0).SetProfileScale({2, 1});
   card.axis().soft_positive = 1000;
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(2000, 10);
@@ -284,13 +285,13 @@ TEST(SoftLimit, MotionAwayIsNotStoppedAndTheBitStaysUntilItIsCleared) {
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(5000, 10);
   card.TicksToRest();
-  card.core.ClearStatus(0);
+  card.core.AxisAt(0).ClearStatus();
   EXPECT_EQ(card.conditions(), kPositiveLimitBit) << "still behind the limit";
   card.MoveTo(0, 10);
   card.TicksToRest();
   EXPECT_EQ(card.axis().profile.position, 0);
   EXPECT_EQ(card.conditions(), kPositiveLimitBit);
-  card.core.ClearStatus(0);
+  card.core.AxisAt(0).ClearStatus();
   EXPECT_EQ(card.conditions(), 0u);
 }
 
@@ -319,14 +320,14 @@ TEST(LimitSwitch, StopsMotionTowardsItAbruptly) {
     EXPECT_EQ(card.conditions(), c.stops ? c.bit : kMovingBit | c.bit);
     card.Drive(c.type, 0, false);
     EXPECT_EQ(card.conditions() & c.bit, c.bit);
-    card.core.ClearStatus(0);
+    card.core.AxisAt(0).ClearStatus();
     EXPECT_EQ(card.conditions() & c.bit, 0u);
   }
 }
 
 TEST(LimitSwitch, AReversedScaleReversesTheDirectionOfTheAxis) {
   AxisCard card;
-  card.core.SetProfileScale(0, {-1, 1});
+  card.core.AxisAt(0).SetProfileScale({-1, 1});
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(-100000, 10);
   card.RunToMs(100);
@@ -365,7 +366,7 @@ TEST(LimitSwitch, EachAxisHearsItsOwnInput) {
 
 TEST(Alarm, SwitchesTheDriveOffAndStopsAbruptly) {
   AxisCard card;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(100000, 10);
   card.RunToMs(100);
@@ -382,7 +383,7 @@ TEST(Alarm, ALatchedAlarmDoesNotSwitchTheDriveOff) {
   AxisCard card;
   card.Drive(DiType::kAlarm, 0, true);
   card.Drive(DiType::kAlarm, 0, false);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(2);
   EXPECT_EQ(card.conditions(), kAlarmBit | kServoOnBit);
 }
@@ -418,11 +419,11 @@ TEST(StopInput, StopsSmoothlyOrAbruptlyInAnyDirection) {
     EXPECT_EQ(card.conditions(), c.bit);
     // 100 pulses in 20 ms, or 0.05 pulses.
     EXPECT_NEAR(std::fabs(card.profile().now.position), 980 + (c.abrupt ? 0.05 : 100), 1e-9);
-    card.core.ClearStatus(0);
+    card.core.AxisAt(0).ClearStatus();
     EXPECT_EQ(card.conditions(), c.bit) << "the input is still on";
     card.Drive(DiType::kGpi, 3, false);
     EXPECT_EQ(card.conditions(), c.bit) << "latched";
-    card.core.ClearStatus(0);
+    card.core.AxisAt(0).ClearStatus();
     EXPECT_EQ(card.conditions(), 0u);
   }
 }
@@ -451,7 +452,7 @@ TEST(StopInput, AStoppedMotionDoesNotComeBack) {
   card.RunToMs(100);
   card.Drive(DiType::kGpi, 1, true);
   card.Drive(DiType::kGpi, 1, false);
-  card.core.ClearStatus(0);
+  card.core.AxisAt(0).ClearStatus();
   card.Ticks(100);
   EXPECT_EQ(card.conditions(), 0u);
   EXPECT_NEAR(card.profile().now.position, 980.05, 1e-9);
@@ -463,7 +464,7 @@ TEST(InPosition, Example112ComesTheBandTimeAfterTheEndOfTheMotion) {
   // 10 + 985 + 20 ms, then 5 x 250 us.
   for (const Micros cycle_us : {125, 250, 625, 1250}) {
     AxisCard card(cycle_us);
-    card.core.ServoOn(0);
+    card.core.AxisAt(0).ServoOn();
     card.axis().band = 20;
     card.axis().band_time = 1250;
     card.axis().band_set = true;
@@ -489,8 +490,8 @@ TEST(InPosition, NeedsABandAndAnErrorStrictlyInsideIt) {
     AxisCard card;
     card.axis().band = c.band;
     card.axis().band_set = c.set;
-    card.core.SetEncoderPosition(0, c.error);
-    card.core.SynchAxis(0);
+    card.core.EncoderAt(0).SetPosition(c.error);
+    card.core.AxisAt(0).SynchPosition();
     card.Ticks(2);
     EXPECT_EQ(card.conditions() == kInPositionBit, c.in_position) << c.band << " " << c.error;
   }
@@ -501,17 +502,17 @@ TEST(InPosition, GoesAtOnceWithMotionOrTheErrorAndNeedsTheWholeTimeAgain) {
   card.axis().band = 20;
   card.axis().band_time = 4000;
   card.axis().band_set = true;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(4);
   EXPECT_EQ(card.conditions(), kServoOnBit);
   card.Ticks(1);
   EXPECT_EQ(card.conditions(), kServoOnBit | kInPositionBit);
-  card.core.SetEncoderPosition(0, 50);
-  card.core.SynchAxis(0);
+  card.core.EncoderAt(0).SetPosition(50);
+  card.core.AxisAt(0).SynchPosition();
   card.Ticks(1);
   EXPECT_EQ(card.conditions(), kServoOnBit);
-  card.core.SetEncoderPosition(0, 0);
-  card.core.SynchAxis(0);
+  card.core.EncoderAt(0).SetPosition(0);
+  card.core.AxisAt(0).SynchPosition();
   card.Ticks(4);
   EXPECT_EQ(card.conditions(), kServoOnBit);
   card.Ticks(1);
@@ -532,7 +533,7 @@ TEST(Servo, AnIdealMotorFollowsAnEnabledAxisAndRestsBehindADisabledOne) {
   card.TicksToRest();
   EXPECT_EQ(card.axis().profile.position, 1000);
   EXPECT_EQ(card.encoder().position, 0);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   EXPECT_EQ(card.core.state().io.Register(DoType::kEnable), 1u);
   card.Ticks(1);
   EXPECT_EQ(card.encoder().position, 0);
@@ -548,11 +549,11 @@ TEST(Servo, AnIdealMotorFollowsAnEnabledAxisAndRestsBehindADisabledOne) {
 
 TEST(Servo, SwitchingOffStopsTheProfileAbruptly) {
   AxisCard card;
-  card.core.ServoOn(2);
+  card.core.AxisAt(2).ServoOn();
   card.SetTrap({.acc = 1, .dec = 1}, 2);
   card.MoveTo(1000, 10, 2);
   card.RunToMs(50);
-  card.core.ServoOff(2);
+  card.core.AxisAt(2).ServoOff();
   EXPECT_EQ(card.core.state().io.Register(DoType::kEnable), 0u);
   card.Ticks(1);
   EXPECT_EQ(card.conditions(2), 0u);
@@ -561,7 +562,7 @@ TEST(Servo, SwitchingOffStopsTheProfileAbruptly) {
 
 TEST(Servo, EncoderVelocityIsTheCountOfACycle) {
   AxisCard card(250);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.SetTrap({.acc = 10, .dec = 10});
   card.MoveTo(100000, 40);
   card.RunToMs(50);
@@ -574,7 +575,7 @@ TEST(Servo, EncoderVelocityIsTheCountOfACycle) {
 
 TEST(Conditions, InputsThatAreActiveAtPowerOnShowAfterTheFirstCycle) {
   AxisCard card;
-  card.core.state().io.SetPin(DiType::kLimitNegative, 4, true);
+  card.core.digital_io().SetPin(DiType::kLimitNegative, 4, true);
   card.core.Reset();
   card.Ticks(1);
   EXPECT_EQ(card.conditions(4), kNegativeLimitBit);
@@ -582,7 +583,7 @@ TEST(Conditions, InputsThatAreActiveAtPowerOnShowAfterTheFirstCycle) {
 
 TEST(Conditions, ResetClearsEverythingAndTheMotorStays) {
   AxisCard card;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.axis().soft_positive = 100;
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(1000, 10);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 namespace {
@@ -107,16 +108,16 @@ TEST(Backlash, IsGoneAtOnceWhenItIsSwitchedOff) {
 /// A core whose first axis jogs at 10 pulse/ms from the first tick on.
 struct JoggingCore {
   JoggingCore() {
-    core.ServoOn(0);
-    Profile& profile = core.state().profiles[0];
+    core.AxisAt(0).ServoOn();
+    Profile& profile = ChangeState(core).profiles[0];
     profile.mode = ProfileMode::kJog;
     profile.jog.parameters = {1000000, 1000000, 0};
     profile.jog.velocity = 10;
-    core.StartProfile(0);
+    core.ProfileAt(0).Start();
   }
   void Reverse() {
-    core.state().profiles[0].jog.velocity = -10;
-    core.StartProfile(0);
+    ChangeState(core).profiles[0].jog.velocity = -10;
+    core.ProfileAt(0).Start();
   }
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) core.Tick();
@@ -131,7 +132,7 @@ struct JoggingCore {
 
 TEST(CompensatedAxis, GivesTheDriveMoreThanIsPlanned) {
   JoggingCore jog;
-  jog.core.SetBacklash(0, {7, 0, true});
+  jog.core.AxisAt(0).SetBacklash({7, 0, true});
   jog.Ticks(10);
   EXPECT_NEAR(jog.Lead(), 7, 1e-9);
   EXPECT_NEAR(jog.core.state().profiles[0].now.position, 100, 0.01);
@@ -142,9 +143,9 @@ TEST(CompensatedAxis, GivesTheDriveMoreThanIsPlanned) {
 
 TEST(CompensatedAxis, FollowsThePitchTable) {
   JoggingCore jog;
-  jog.core.SetPitchTable(0,
-                         std::make_shared<const PitchTable>(PitchTable{50, 100, {0, 40}, {9, 9}}));
-  jog.core.EnablePitchCompensation(0, true);
+  jog.core.AxisAt(0).SetPitchTable(
+      std::make_shared<const PitchTable>(PitchTable{50, 100, {0, 40}, {9, 9}}));
+  jog.core.AxisAt(0).EnablePitchCompensation(true);
   jog.Ticks(5);
   jog.Ticks(5);
   // At 100 the correction is half of 40.
@@ -152,7 +153,7 @@ TEST(CompensatedAxis, FollowsThePitchTable) {
   jog.Reverse();
   jog.Ticks(2);
   EXPECT_NEAR(jog.Lead(), 9, 1e-9);
-  jog.core.EnablePitchCompensation(0, false);
+  jog.core.AxisAt(0).EnablePitchCompensation(false);
   jog.Ticks(1);
   EXPECT_NEAR(jog.Lead(), 0, 1e-9);
   EXPECT_FALSE(jog.core.state().compensates);
@@ -160,8 +161,8 @@ TEST(CompensatedAxis, FollowsThePitchTable) {
 
 TEST(CompensatedAxis, HasNoFollowingErrorFromIt) {
   JoggingCore jog;
-  jog.core.state().controls[0].error_limit = 5;
-  jog.core.SetBacklash(0, {1000, 0, true});
+  jog.core.ControlAt(0).SetErrorLimit(5);
+  jog.core.AxisAt(0).SetBacklash({1000, 0, true});
   jog.Ticks(10);
   EXPECT_FALSE(jog.core.FollowingErrorExceeded(0));
   EXPECT_EQ(jog.core.Conditions(0) & kFollowingErrorBit, 0u);
@@ -169,25 +170,25 @@ TEST(CompensatedAxis, HasNoFollowingErrorFromIt) {
 
 TEST(CompensatedAxis, DoesNotJumpWhenItIsEnabledAgain) {
   JoggingCore jog;
-  jog.core.SetBacklash(0, {1000, 0, true});
+  jog.core.AxisAt(0).SetBacklash({1000, 0, true});
   jog.Ticks(10);
-  jog.core.ServoOff(0);
+  jog.core.AxisAt(0).ServoOff();
   jog.Ticks(10);
   const double motor = jog.core.state().plants[0].position;
-  jog.core.ServoOn(0);
+  jog.core.AxisAt(0).ServoOn();
   jog.Ticks(1);
   EXPECT_EQ(jog.core.state().plants[0].position, motor);
 }
 
 TEST(CompensatedAxis, DoesNotJumpWhenAClosedLoopIsEnabled) {
   JoggingCore jog;
-  jog.core.SetBacklash(0, {1000, 0, true});
+  jog.core.AxisAt(0).SetBacklash({1000, 0, true});
   jog.Ticks(10);
-  jog.core.ServoOff(0);
+  jog.core.AxisAt(0).ServoOff();
   jog.Ticks(10);
-  jog.core.SetClosedLoop(0, true);
+  jog.core.AxisAt(0).SetClosedLoop(true);
   const double motor = jog.core.state().plants[0].position;
-  jog.core.ServoOn(0);
+  jog.core.AxisAt(0).ServoOn();
   jog.Ticks(1);
   EXPECT_NEAR(jog.core.state().plants[0].position, motor, 1);
 }
@@ -198,29 +199,29 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       JoggingCore jog;
       MotionCore& core = jog.core;
       if (closed) {
-        core.ServoOff(0);
-        core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
-        core.state().controls[0].sets[0] = {.kp = 20};
-        core.SetClosedLoop(0, true);
-        core.ServoOn(0);
-        core.StartProfile(0);
+        core.AxisAt(0).ServoOff();
+        core.ConnectDrive(0, VelocityDrive(100, 2, 0, 0.125));
+        ChangeState(core).controls[0].sets[0] = {.kp = 20};
+        core.AxisAt(0).SetClosedLoop(true);
+        core.AxisAt(0).ServoOn();
+        core.ProfileAt(0).Start();
       }
-      core.SetBacklash(0, {300, 0, true});
+      core.AxisAt(0).SetBacklash({300, 0, true});
       // Another error at every position: 500 at 0, 0 at 1000.
-      core.SetPitchTable(
-          0, std::make_shared<const PitchTable>(PitchTable{0, 1000, {500, 0}, {500, 0}}));
-      core.EnablePitchCompensation(0, true);
+      core.AxisAt(0).SetPitchTable(
+          std::make_shared<const PitchTable>(PitchTable{0, 1000, {500, 0}, {500, 0}}));
+      core.AxisAt(0).EnablePitchCompensation(true);
       jog.Ticks(40);
-      core.StopProfile(0, true);
+      core.ProfileAt(0).Stop(true);
       jog.Ticks(400);
       const double motor = core.state().plants[0].position;
       ASSERT_NEAR(motor, 400 + 300 + 300, 5);
       if (zero) {
-        core.ZeroAxis(0);
+        core.AxisAt(0).ZeroPosition();
         EXPECT_EQ(core.state().axes[0].profile.position, 0);
         EXPECT_EQ(core.state().axes[0].encoder.position, 0);
       } else {
-        core.SynchAxis(0);
+        core.AxisAt(0).SynchPosition();
       }
       EXPECT_EQ(core.state().plants[0].position, motor);
       jog.Ticks(400);
@@ -229,7 +230,7 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       // Afterwards the backlash is output as before.
       jog.Reverse();
       jog.Ticks(2);
-      core.StopProfile(0, true);
+      core.ProfileAt(0).Stop(true);
       jog.Ticks(400);
       EXPECT_NEAR(core.state().compensations[0].backlash_error, 0, 1e-9);
       EXPECT_LT(core.state().plants[0].position, motor - 290) << closed << zero;
@@ -239,7 +240,7 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
 
 TEST(CompensatedAxis, ForgetsEverythingAtReset) {
   JoggingCore jog;
-  jog.core.SetBacklash(0, {1000, 0, true});
+  jog.core.AxisAt(0).SetBacklash({1000, 0, true});
   jog.Ticks(10);
   jog.core.Reset();
   EXPECT_EQ(jog.core.state().compensations[0].Amount(), 0);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 
 namespace oncard::motion {
@@ -64,9 +65,9 @@ TEST(Pid, HasTheSubStepsOfTheConfiguration) {
   } cases[] = {{125, 8}, {250, 4}, {1000, 1}};
   for (const auto& c : cases) {
     MotionCore core({.cycle_us = 1000, .servo_us = c.servo_us});
-    core.SetClosedLoop(0, true);
-    core.ServoOn(0);
-    core.state().encoder_faults[0].slip = -1;  // an error of 1 in each sub-step
+    core.AxisAt(0).SetClosedLoop(true);
+    core.AxisAt(0).ServoOn();
+    ChangeState(core).encoder_faults[0].slip = -1;  // an error of 1 in each sub-step
     core.Tick();
     EXPECT_EQ(core.state().controls[0].sum, c.steps) << c.servo_us;
   }
@@ -87,10 +88,10 @@ TEST(Pid, TheFedForwardVelocityIsFiltered) {
 /// Axis 1 in closed loop with a velocity drive.
 MotionCore ServoCore(const PidSet& pid, double tau = 2) {
   MotionCore core({});
-  core.state().drives[0] = VelocityDrive(100, tau, 0, 0.125);
-  core.state().controls[0].sets[0] = pid;
-  core.SetClosedLoop(0, true);
-  core.ServoOn(0);
+  core.ConnectDrive(0, VelocityDrive(100, tau, 0, 0.125));
+  ChangeState(core).controls[0].sets[0] = pid;
+  core.AxisAt(0).SetClosedLoop(true);
+  core.AxisAt(0).ServoOn();
   return core;
 }
 
@@ -165,12 +166,12 @@ TEST(ClosedLoop, AgreesWithAFineIntegrationOfTheSameLoop) {
 
 TEST(ClosedLoop, EnablingTakesTheMeasuredPositionSoThatNothingJumps) {
   MotionCore core({});
-  core.SetClosedLoop(0, true);
-  core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
-  core.state().controls[0].sets[0] = {.kp = 20};
-  core.SetProfilePosition(0, 5000);
-  core.SynchAxis(0);
-  core.ServoOn(0);
+  core.AxisAt(0).SetClosedLoop(true);
+  core.ConnectDrive(0, VelocityDrive(100, 2, 0, 0.125));
+  ChangeState(core).controls[0].sets[0] = {.kp = 20};
+  core.ProfileAt(0).SetPosition(5000);
+  core.AxisAt(0).SynchPosition();
+  core.AxisAt(0).ServoOn();
   EXPECT_EQ(core.state().axes[0].profile.position, 0);
   EXPECT_EQ(core.state().profiles[0].now.position, 0);
   Ticks(core, 100);
@@ -179,20 +180,20 @@ TEST(ClosedLoop, EnablingTakesTheMeasuredPositionSoThatNothingJumps) {
 
 TEST(ClosedLoop, EnablingUsesTheScaleOfTheProfile) {
   MotionCore core({});
-  core.SetClosedLoop(0, true);
-  core.SetProfileScale(0, {4, 2});
-  core.SetEncoderPosition(0, 300);
-  core.SynchAxis(0);
-  core.ServoOn(0);
+  core.AxisAt(0).SetClosedLoop(true);
+  core.AxisAt(0).SetProfileScale({4, 2});
+  core.EncoderAt(0).SetPosition(300);
+  core.AxisAt(0).SynchPosition();
+  core.AxisAt(0).ServoOn();
   EXPECT_EQ(core.state().axes[0].profile.position, 300);
   EXPECT_EQ(core.state().profiles[0].now.position, 600);
 }
 
 TEST(OpenLoop, EnablingChangesNoPosition) {
   MotionCore core({});
-  core.SetProfilePosition(0, 5000);
-  core.SynchAxis(0);
-  core.ServoOn(0);
+  core.ProfileAt(0).SetPosition(5000);
+  core.AxisAt(0).SynchPosition();
+  core.AxisAt(0).ServoOn();
   Ticks(core, 3);
   EXPECT_EQ(core.state().axes[0].profile.position, 5000);
   EXPECT_EQ(core.state().axes[0].encoder.position, 0);
@@ -203,20 +204,20 @@ TEST(ClosedLoop, DisablingTakesTheVoltageAway) {
   Jog(core, 10);
   Ticks(core, 400);
   EXPECT_GT(core.state().dacs[0].Output(), 1000);
-  core.ServoOff(0);
+  core.AxisAt(0).ServoOff();
   EXPECT_EQ(core.state().dacs[0].Output(), 0);
 }
 
 TEST(ClosedLoop, ZeroingAndSynchronisingDoNotMoveTheMotor) {
   MotionCore core({});
-  core.SetClosedLoop(0, true);
-  core.ServoOn(0);
+  core.AxisAt(0).SetClosedLoop(true);
+  core.AxisAt(0).ServoOn();
   Jog(core, 10);
   Ticks(core, 400);
-  core.StopProfile(0, true);
+  core.ProfileAt(0).Stop(true);
   Ticks(core, 40);
   const double place = core.state().plants[0].position;
-  core.ZeroAxis(0);
+  core.AxisAt(0).ZeroPosition();
   Ticks(core, 40);
   EXPECT_EQ(core.state().plants[0].position, place);
   EXPECT_EQ(core.state().axes[0].profile.position, 0);
@@ -224,14 +225,14 @@ TEST(ClosedLoop, ZeroingAndSynchronisingDoNotMoveTheMotor) {
 
 TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
   MotionCore core({});
-  core.state().controls[0].error_limit = 100;
-  core.ServoOn(0);
-  core.state().encoder_faults[0].slip = 100;  // the measured position is 100 ahead
+  core.ControlAt(0).SetErrorLimit(100);
+  core.AxisAt(0).ServoOn();
+  ChangeState(core).encoder_faults[0].slip = 100;  // the measured position is 100 ahead
   core.Tick();
   EXPECT_EQ(core.Conditions(0), kServoOnBit);
   Jog(core, 10);
-  core.state().encoder_faults[0].slip = 0;
-  core.state().encoder_faults[0].held = true;
+  ChangeState(core).encoder_faults[0].slip = 0;
+  ChangeState(core).encoder_faults[0].held = true;
   Ticks(core, 120);
   const uint32_t status = core.Conditions(0);
   EXPECT_TRUE(status & kFollowingErrorBit);
@@ -244,23 +245,23 @@ TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
 
 TEST(FollowingError, IsOnlyLatchedOnACardThatDoesNotStop) {
   MotionCore core({.defaults = {.following_error_stops = false}});
-  core.ServoOn(0);
-  core.state().encoder_faults[0].slip = 32768;
+  core.AxisAt(0).ServoOn();
+  ChangeState(core).encoder_faults[0].slip = 32768;
   core.Tick();
   EXPECT_EQ(core.Conditions(0), kFollowingErrorBit | kServoOnBit);
 }
 
 TEST(FollowingError, TheBitIsClearedWhenTheErrorHasGone) {
   MotionCore core({});
-  core.ServoOn(0);
-  core.state().encoder_faults[0].slip = 32768;
+  core.AxisAt(0).ServoOn();
+  ChangeState(core).encoder_faults[0].slip = 32768;
   core.Tick();
   EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
-  core.ClearStatus(0);
+  core.AxisAt(0).ClearStatus();
   EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
-  core.ZeroAxis(0);
+  core.AxisAt(0).ZeroPosition();
   EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
-  core.ClearStatus(0);
+  core.AxisAt(0).ClearStatus();
   EXPECT_FALSE(core.Conditions(0) & kFollowingErrorBit);
 }
 
@@ -268,9 +269,9 @@ TEST(FollowingError, IsWatchedByActiveControllersOfEnabledAxesOnly) {
   for (const auto& [active, servo, bit] :
        {std::tuple{true, true, true}, {true, false, false}, {false, true, false}}) {
     MotionCore core({});
-    if (servo) core.ServoOn(0);
-    core.state().controls[0].active = active;
-    core.state().encoder_faults[0].slip = 40'000;
+    if (servo) core.AxisAt(0).ServoOn();
+    ChangeState(core).controls[0].active = active;
+    ChangeState(core).encoder_faults[0].slip = 40'000;
     core.Tick();
     EXPECT_EQ((core.Conditions(0) & kFollowingErrorBit) != 0, bit) << active << servo;
   }
@@ -278,8 +279,8 @@ TEST(FollowingError, IsWatchedByActiveControllersOfEnabledAxesOnly) {
 
 TEST(FollowingError, ARunawayWithAReversedEncoderIsStopped) {
   MotionCore core = ServoCore({.kp = 20});
-  core.state().controls[0].error_limit = 1000;
-  core.SetEncoderSense(0, true);
+  core.ControlAt(0).SetErrorLimit(1000);
+  core.EncoderAt(0).SetSense(true);
   Jog(core, 1);
   Ticks(core, 4000);
   EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
@@ -289,13 +290,13 @@ TEST(FollowingError, ARunawayWithAReversedEncoderIsStopped) {
 
 TEST(ResponseCheck, AVoltageWithoutMotionSwitchesTheAxisOff) {
   MotionCore core = ServoCore({.kp = 20});
-  core.state().controls[0].check = {
+  ChangeState(core).controls[0].check = {
       .on = true, .threshold = 200, .min_velocity = 1, .time = 10'000};
   Jog(core, 10);
   Ticks(core, 400);
   EXPECT_TRUE(core.Conditions(0) & kServoOnBit);
-  core.state().plants[0].stalled = true;
-  core.state().plants[0].velocity = 0;
+  ChangeState(core).plants[0].stalled = true;
+  ChangeState(core).plants[0].velocity = 0;
   Ticks(core, 39);
   EXPECT_TRUE(core.Conditions(0) & kServoOnBit);
   Ticks(core, 5);

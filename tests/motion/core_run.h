@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 
 /// The profile of axis 1 jogs from now on.
 inline void Jog(MotionCore& core, double velocity) {
-  Profile& profile = core.state().profiles[0];
+  Profile& profile = ChangeState(core).profiles[0];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = velocity;
   profile.Start(core.now());

@@ -96,7 +96,7 @@ TEST(PathStart, AStopRestsAtOnceFromIt) {
     test.RunUntil(200);
     const double begin = test.profile(0).position;
     EXPECT_NEAR(begin, 1998.75 + 5 * 20, 1e-9);
-    test.core.StopCrd(0, abrupt);
+    test.core.CrdAt(0).Stop(abrupt);
     // (20 - 0.5) / 0.1 and (20 - 0.5) / 5; (20^2 - 0.5^2) / (2 a).
     EXPECT_EQ(test.TicksToEnd(), abrupt ? 4 : 195);
     EXPECT_NEAR(test.profile(0).position - begin, abrupt ? 39.975 : 1998.75, 1e-9);
@@ -116,7 +116,7 @@ TEST(PathStart, AStopAtTheEndOfTheLastSegmentRestsThere) {
   test.Start();
   test.RunUntil(60);
   // The deceleration of the stop is not enough for the way that is left.
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   test.TicksToEnd();
   EXPECT_NEAR(test.profile(0).position, 500, 1e-9);
 }
@@ -177,7 +177,7 @@ TEST(CrdOverride, OfZeroLeavesTheSegmentsOfTheSecondOverrideAlone) {
   rapid.velocity = 10;
   rapid.acceleration = 1;
   rapid.second_override = true;
-  ASSERT_TRUE(test.core.AppendToCrd(0, 0, rapid));
+  ASSERT_TRUE(test.core.CrdAt(0).Append(0, rapid));
   ASSERT_TRUE(test.Line({200, 0}, 10, 1));
   test.crd().override_ratio = 0;
   test.Start();
@@ -197,7 +197,7 @@ TEST(CrdOverride, AStopEndsAHeldRun) {
   SetOverride(&test, 0);
   test.RunUntil(100);
   const double held = test.profile(0).position;
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   EXPECT_FALSE(test.running());
   SetOverride(&test, 1);
   test.Start();
@@ -238,7 +238,7 @@ class ListTest : public CrdRunTest {
     slot.acceleration = acceleration_;
     slot.end_velocity = added.end_velocity;
     slot.ends_at_rest = added.rests;
-    return core.AppendToCrd(0, 0, slot);
+    return core.CrdAt(0).Append(0, slot);
   }
 
  private:
@@ -392,7 +392,7 @@ TEST(SegmentList, AStopBrakesAcrossJointsWithItsOwnDeceleration) {
   ASSERT_TRUE(test.Append({1000, 5}));
   test.Start();
   test.RunUntil(50);  // 200 + 30 * 20 = 800, which is 12.5 pulses before it would brake to 5
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   EXPECT_EQ(test.TicksToEnd(), 40);
   EXPECT_NEAR(test.profile(0).position, 800 + 400, 1e-9);
 }
@@ -401,7 +401,7 @@ TEST(SegmentList, AStopBrakesAcrossJointsWithItsOwnDeceleration) {
 
 TEST(OpenList, MakesARunWaitForMoreSegments) {
   ListTest test(0, 1);
-  test.core.OpenCrdList(0, 0);
+  test.core.CrdAt(0).OpenList(0);
   test.Start();
   test.RunUntil(10);
   EXPECT_EQ(test.crd().run.wait, CrdWait::kData);
@@ -417,7 +417,7 @@ TEST(OpenList, MakesARunWaitForMoreSegments) {
   // A command acts at once.
   ASSERT_TRUE(test.Command({BufferedKind::kOutputs, static_cast<int>(DoType::kGpo), 0, {1, 1}}));
   ASSERT_TRUE(test.Append({100, 20}));
-  test.core.CloseCrdList(0, 0);
+  test.core.CrdAt(0).CloseList(0);
   EXPECT_EQ(test.TicksToEnd(), 20);
   EXPECT_EQ(test.core.state().io.Register(DoType::kGpo), 0x1u);
   EXPECT_EQ(test.profile(0).position, 500);
@@ -425,22 +425,22 @@ TEST(OpenList, MakesARunWaitForMoreSegments) {
 
 TEST(OpenList, EndsAWaitingRunWhenItIsClosed) {
   ListTest test(0, 1);
-  test.core.OpenCrdList(0, 0);
+  test.core.CrdAt(0).OpenList(0);
   ASSERT_TRUE(test.Append({400, 20}));
   test.Start();
   test.RunUntil(60);
   EXPECT_TRUE(test.running());
-  test.core.CloseCrdList(0, 0);
+  test.core.CrdAt(0).CloseList(0);
   EXPECT_FALSE(test.running());
   EXPECT_FALSE(test.profile(0).moving);
 }
 
 TEST(OpenList, EndsAWaitingRunAtAStop) {
   ListTest test(0, 1);
-  test.core.OpenCrdList(0, 0);
+  test.core.CrdAt(0).OpenList(0);
   test.Start();
   test.RunUntil(10);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   EXPECT_FALSE(test.running());
 }
 
@@ -465,9 +465,9 @@ TEST(Approach, JoinsTheHashOnlyInUse) {
 
 TEST(Approach, BeginsWhereverThePathIs) {
   CrdRunTest test;
-  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400}, 3, 20, 1)));
+  ASSERT_TRUE(test.core.CrdAt(0).Append(0, ApproachTo({300, 400}, 3, 20, 1)));
   ASSERT_TRUE(test.Line({300, 800}, 20, 1));
-  test.core.SetProfilePosition(1, 800);
+  test.core.ProfileAt(1).SetPosition(800);
   test.Start();
   test.RunUntil(10);
   // 50 of 500 pulses towards (300, 400).
@@ -483,8 +483,8 @@ TEST(Approach, BeginsWhereverThePathIs) {
 
 TEST(Approach, LeavesOtherCoordinatesWhereTheyAre) {
   CrdRunTest test(1000, 3);
-  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400, 7}, 3, 20, 1)));
-  test.core.SetProfilePosition(2, 50);
+  ASSERT_TRUE(test.core.CrdAt(0).Append(0, ApproachTo({300, 400, 7}, 3, 20, 1)));
+  test.core.ProfileAt(2).SetPosition(50);
   test.Start();
   EXPECT_EQ(test.TicksToEnd(), 45);
   EXPECT_EQ(test.profile(0).position, 300);
@@ -493,7 +493,7 @@ TEST(Approach, LeavesOtherCoordinatesWhereTheyAre) {
 
 TEST(Approach, WithoutLengthIsLeftOut) {
   CrdRunTest test;
-  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({}, 3, 20, 1)));
+  ASSERT_TRUE(test.core.CrdAt(0).Append(0, ApproachTo({}, 3, 20, 1)));
   ASSERT_TRUE(test.Line({400, 0}, 20, 1));
   test.Start();
   EXPECT_EQ(test.TicksToEnd(), 40);
@@ -502,14 +502,14 @@ TEST(Approach, WithoutLengthIsLeftOut) {
 
 TEST(Approach, ThatWasStoppedIsMadeAnew) {
   CrdRunTest test;
-  ASSERT_TRUE(test.core.AppendToCrd(0, 0, ApproachTo({300, 400}, 3, 20, 1)));
+  ASSERT_TRUE(test.core.CrdAt(0).Append(0, ApproachTo({300, 400}, 3, 20, 1)));
   test.Start();
   test.RunUntil(20);
-  test.core.StopCrd(0, true);
+  test.core.CrdAt(0).Stop(true);
   test.TicksToEnd();
-  test.core.SetProfilePosition(0, 0);
-  test.core.SetProfilePosition(1, 0);
-  test.core.ResumeCrd(0, 0, {});
+  test.core.ProfileAt(0).SetPosition(0);
+  test.core.ProfileAt(1).SetPosition(0);
+  test.core.CrdAt(0).Resume(0, {});
   EXPECT_EQ(test.TicksToEnd(), 45);
   EXPECT_EQ(test.profile(0).position, 300);
   EXPECT_EQ(test.profile(1).position, 400);
@@ -526,10 +526,10 @@ class InterruptedRun : public CrdRunTest {
     EXPECT_TRUE(Line({600, 100}, 10, 1));
     Start();
     RunUntil(30);
-    core.StopCrd(0, false);
+    core.CrdAt(0).Stop(false);
     TicksToEnd();
     stopped = profile(0).position;
-    core.SetProfilePosition(1, 300);
+    core.ProfileAt(1).SetPosition(300);
     back.velocity = 20;
     back.acceleration = 2;
   }
@@ -540,7 +540,7 @@ class InterruptedRun : public CrdRunTest {
 
 TEST(ResumeCrd, GoesBackToTheBreakpointAndOn) {
   InterruptedRun test;
-  test.core.ResumeCrd(0, 0, test.back);
+  test.core.CrdAt(0).Resume(0, test.back);
   EXPECT_EQ(test.fifo().Remaining(), 2u);
   test.core.Tick();
   // The line back begins with the start velocity.
@@ -562,8 +562,8 @@ TEST(ResumeCrd, GoesBackToTheBreakpointAndOn) {
 
 TEST(ResumeCrd, LeavesOutALineWithoutLength) {
   InterruptedRun test;
-  test.core.SetProfilePosition(1, 0);
-  test.core.ResumeCrd(0, 0, test.back);
+  test.core.ProfileAt(1).SetPosition(0);
+  test.core.CrdAt(0).Resume(0, test.back);
   EXPECT_FALSE(test.fifo().interruption);
   test.TicksToEnd();
   EXPECT_EQ(test.profile(0).position, 600);
@@ -571,15 +571,15 @@ TEST(ResumeCrd, LeavesOutALineWithoutLength) {
 
 TEST(ResumeCrd, MakesALineBackThatWasStoppedAnew) {
   InterruptedRun test;
-  test.core.ResumeCrd(0, 0, test.back);
+  test.core.CrdAt(0).Resume(0, test.back);
   test.RunUntil(static_cast<double>(test.core.now()) / 1000 + 5);
-  test.core.StopCrd(0, true);
+  test.core.CrdAt(0).Stop(true);
   test.TicksToEnd();
   EXPECT_GT(test.profile(1).position, 200);
   EXPECT_LT(test.profile(1).position, 300);
   EXPECT_EQ(test.fifo().Breakpoint(), (Coordinates{test.stopped, 0}));
-  test.core.SetProfilePosition(1, -10);
-  test.core.ResumeCrd(0, 0, test.back);
+  test.core.ProfileAt(1).SetPosition(-10);
+  test.core.CrdAt(0).Resume(0, test.back);
   test.TicksToEnd();
   EXPECT_EQ(test.profile(0).position, 600);
   EXPECT_EQ(test.profile(1).position, 100);
@@ -592,13 +592,13 @@ TEST(ResumeCrd, GoesBackBetweenTwoSegments) {
   ASSERT_TRUE(test.Line({400, 400}, 20, 1));
   test.Start();
   test.RunUntil(50);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   ASSERT_FALSE(test.running());
-  test.core.SetProfilePosition(0, 0);
+  test.core.ProfileAt(0).SetPosition(0);
   PathSlot back;
   back.velocity = 20;
   back.acceleration = 1;
-  test.core.ResumeCrd(0, 0, back);
+  test.core.CrdAt(0).Resume(0, back);
   EXPECT_EQ(test.fifo().Remaining(), 1u);
   EXPECT_EQ(test.TicksToEnd(), 80);
   EXPECT_EQ(test.profile(0).position, 400);

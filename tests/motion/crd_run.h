@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 
@@ -21,10 +22,10 @@ class CrdRunTest {
     parameters.velocity_max = 1000;
     parameters.acceleration_max = 100;
     parameters.even_time = even_time;
-    core.SetUpCrd(0, parameters);
+    core.CrdAt(0).SetUp(parameters);
   }
 
-  Crd& crd() { return core.state().crds[0]; }
+  Crd& crd() { return ChangeState(core).crds[0]; }
   CrdFifo& fifo(size_t index = 0) { return crd().fifos[index]; }
   const Sample& profile(size_t index) { return core.state().profiles[index].now; }
 
@@ -36,15 +37,15 @@ class CrdRunTest {
     slot.velocity = velocity;
     slot.acceleration = acceleration;
     slot.end_velocity = end_velocity;
-    return core.AppendToCrd(0, to, slot);
+    return core.CrdAt(0).Append(to, slot);
   }
   bool Command(const BufferedCommand& command, size_t to = 0) {
     PathSlot slot;
     slot.command = command;
-    return core.AppendToCrd(0, to, slot);
+    return core.CrdAt(0).Append(to, slot);
   }
   bool Delay(double ms) { return Command({BufferedKind::kDelay, 0, 0, {ms}}); }
-  void Start(size_t from = 0) { core.StartCrd(0, from, false); }
+  void Start(size_t from = 0) { core.CrdAt(0).Start(from, false); }
   bool running() { return crd().run.running; }
   /// Ticks until `ms` after power-on.
   void RunUntil(double ms) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/motion/change_state.h"
 #include "tests/motion/crd_run.h"
 
 namespace oncard::motion {
@@ -149,8 +150,8 @@ TEST(CrdRun, ADelayMakesTheSegmentBeforeItEndAtRest) {
 
 TEST(CrdRun, CoordinatesAreRelativeToTheOrigin) {
   CrdRunTest test;
-  test.core.SetProfilePosition(0, 100);
-  test.core.SetUpCrd(0, test.crd().parameters);
+  test.core.ProfileAt(0).SetPosition(100);
+  test.core.CrdAt(0).SetUp(test.crd().parameters);
   ASSERT_TRUE(test.Line({50, 0}, 10, 1));
   test.Start();
   test.TicksToEnd();
@@ -169,7 +170,7 @@ TEST(CrdStop, KeepsToThePathAndResumesAtTheBreakpoint) {
     test.RunUntil(100);
     // 20 ms and 200 pulses to 20 pulse/ms, then 80 ms at it.
     EXPECT_NEAR(test.profile(0).position, 0.6 * 1800, 1e-9);
-    test.core.StopCrd(0, abrupt);
+    test.core.CrdAt(0).Stop(abrupt);
     test.TicksToEnd();
     const double rest = 1800 + (abrupt ? 20.0 * 20 / 2 / 1000 : 400);
     EXPECT_NEAR(test.profile(0).position, 0.6 * rest, 1e-9);
@@ -188,7 +189,7 @@ TEST(CrdStop, GoesOnInTheNextSegment) {
   ASSERT_TRUE(test.Line({1000, 1000}, 20, 1));
   test.Start();
   test.RunUntil(55);  // 200 + 35 * 20 = 900
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   test.TicksToEnd();
   // 200 pulses to rest: 100 on each line.
   EXPECT_EQ(test.profile(0).position, 1000);
@@ -200,7 +201,7 @@ TEST(CrdStop, AStopOfOneMemberStopsAll) {
   ASSERT_TRUE(test.Line({3000, 4000}, 20, 1));
   test.Start();
   test.RunUntil(100);
-  test.core.StopProfile(1, true);
+  test.core.ProfileAt(1).Stop(true);
   test.TicksToEnd();
   EXPECT_NEAR(test.profile(0).position / test.profile(1).position, 0.75, 1e-12);
   EXPECT_LT(test.profile(1).position, 1500);
@@ -208,7 +209,7 @@ TEST(CrdStop, AStopOfOneMemberStopsAll) {
 
 TEST(CrdStop, ASoftLimitOfOneAxisStopsAll) {
   CrdRunTest test;
-  test.core.state().axes[0].soft_positive = 500;
+  ChangeState(test.core).axes[0].soft_positive = 500;
   ASSERT_TRUE(test.Line({3000, 4000}, 20, 1));
   test.Start();
   test.TicksToEnd();
@@ -220,7 +221,7 @@ TEST(CrdStop, ALimitStopsSmoothlyWhereTheSystemIsSetSo) {
   CrdRunTest test;
   test.crd().limit_stop.smooth = true;
   test.crd().smooth_stop = 2;
-  test.core.state().axes[0].soft_positive = 145;
+  ChangeState(test.core).axes[0].soft_positive = 145;
   ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
   test.Start();
   // The first tick beyond 145 is that at 20 ms, where the path has reached 150; 25 pulses stop it.
@@ -231,11 +232,11 @@ TEST(CrdStop, ALimitStopsSmoothlyWhereTheSystemIsSetSo) {
 TEST(CrdStop, AnAlarmStopsAbruptlyAlsoWhereLimitsStopSmoothly) {
   CrdRunTest test;
   test.crd().limit_stop.smooth = true;
-  test.core.state().axes[0].soft_positive = 145;
+  ChangeState(test.core).axes[0].soft_positive = 145;
   ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
   test.Start();
   test.RunUntil(19);
-  test.core.state().axes[0].latched = kAlarmBit;
+  ChangeState(test.core).axes[0].latched = kAlarmBit;
   // Both stop the path in the tick at 20 ms, where it has reached 150; smoothly it would go to 200.
   test.TicksToEnd();
   EXPECT_NEAR(test.profile(0).position, 150, 0.1);
@@ -247,7 +248,7 @@ TEST(CrdStop, DropsADelayUnderWay) {
   ASSERT_TRUE(test.Line({100, 0}, 10, 1));
   test.Start();
   test.RunUntil(10);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   EXPECT_FALSE(test.running());
   test.Start();
   EXPECT_EQ(test.TicksToEnd(), 20);
@@ -270,7 +271,7 @@ TEST(CrdRun, TheSecondFifoServesAPauseOfTheFirst) {
   ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
   test.Start();
   test.RunUntil(50);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   test.TicksToEnd();
   const double stopped = test.profile(0).position;
   ASSERT_TRUE(test.Line({stopped, 500}, 10, 1, 0, 1));
@@ -308,7 +309,7 @@ TEST(CrdBuffer, OutputsChangeAtTheTickInWhichTheSegmentEnds) {
       test.Command({BufferedKind::kOutputs, static_cast<int>(DoType::kGpo), 0, {0x5, 0x4}}));
   ASSERT_TRUE(test.Line({2000, 0}, 10, 0.1));
   test.Start();
-  test.core.state().io.Write(DoType::kGpo, 0xffff, 0x3);
+  test.core.digital_io().Write(DoType::kGpo, 0xffff, 0x3);
   test.RunUntil(149);  // 100 ms and 500, 50 ms and 500
   EXPECT_EQ(test.core.state().io.Register(DoType::kGpo), 0x3u);
   test.RunUntil(150);
@@ -318,7 +319,7 @@ TEST(CrdBuffer, OutputsChangeAtTheTickInWhichTheSegmentEnds) {
 TEST(CrdBuffer, AGearedAxisEndsExactlyWithTheSegment) {
   for (const double ramp : {0.0, 0.25}) {
     CrdRunTest test;
-    test.core.SetProfilePosition(4, 1000);
+    test.core.ProfileAt(4).SetPosition(1000);
     ASSERT_TRUE(test.Command({BufferedKind::kGear, 4, 0, {-300, ramp, ramp}}));
     ASSERT_TRUE(test.Line({3000, 4000}, 20, 1));
     ASSERT_TRUE(test.Line({0, 0}, 20, 1));
@@ -360,7 +361,7 @@ TEST(CrdBuffer, AModalMoveIsWaitedForAcrossAPause) {
   ASSERT_TRUE(test.Line({100, 0}, 10, 1));
   test.Start();
   test.RunUntil(20);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   EXPECT_FALSE(test.running());
   test.RunUntil(30);
   EXPECT_TRUE(test.profile(4).moving);
@@ -380,7 +381,7 @@ TEST(CrdBuffer, AModalMoveThatEndedDuringAPauseIsNotMadeAgain) {
   ASSERT_TRUE(test.Line({100, 0}, 10, 1));
   test.Start();
   test.RunUntil(20);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   test.RunUntil(200);
   ASSERT_EQ(test.profile(4).position, 1000);
   test.Start();
@@ -393,7 +394,7 @@ TEST(CrdBuffer, AModalMoveStoppedShortPausesThePathAndGoesOnWithIt) {
   ASSERT_TRUE(test.Line({100, 0}, 10, 1));
   test.Start();
   test.RunUntil(20);
-  test.core.StopProfile(4, false);
+  test.core.ProfileAt(4).Stop(false);
   EXPECT_TRUE(test.running());
   test.TicksToEnd();
   EXPECT_EQ(test.profile(0).position, 0);
@@ -411,7 +412,7 @@ TEST(CrdBuffer, AWaitBelongsToItsFifo) {
   ASSERT_TRUE(test.Line({0, 50}, 10, 1, 0, 1));
   test.Start();
   test.RunUntil(20);
-  test.core.StopCrd(0, false);
+  test.core.CrdAt(0).Stop(false);
   test.Start(1);
   EXPECT_NEAR(test.TicksToEnd(), 15, 1);
   EXPECT_TRUE(test.profile(4).moving);
@@ -457,7 +458,7 @@ TEST(CrdBuffer, WhatIsOutsideTheCoreIsHandedOverInTheOrderOfThePath) {
   EXPECT_FALSE(test.core.state().crds[0].WillReach(is_nine)) << "it does not run";
   test.Start();
   test.core.Tick();
-  std::vector<BufferedCommand>& reached = test.core.state().reached;
+  std::vector<BufferedCommand>& reached = ChangeState(test.core).reached;
   ASSERT_EQ(reached.size(), 2u);
   EXPECT_EQ(reached[0].item, 7);
   EXPECT_EQ(reached[0].values[0], -5);

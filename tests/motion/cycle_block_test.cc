@@ -9,6 +9,7 @@
 #include <string>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/cycle_counter.h"
 #include "tests/motion/random_bus.h"
 #include "tests/motion/random_world.h"
@@ -79,7 +80,7 @@ TEST(CycleBlock, EveryKernelComputesTheSameBits) {
 
 TEST(CycleBlock, StopsInTheCycleOfASoftLimit) {
   Twins twins(ServoCard(), ServoCard());
-  twins.Both([](MotionCore& core) { core.state().axes[3].soft_positive = 20'000; });
+  twins.Both([](MotionCore& core) { ChangeState(core).axes[3].soft_positive = 20'000; });
   twins.Advance(20'000);
   twins.ExpectEqual();
   EXPECT_NE(twins.lanes().state().axes[3].latched & kPositiveLimitBit, 0u);
@@ -89,7 +90,7 @@ TEST(CycleBlock, StopsInTheCycleOfASoftLimit) {
 TEST(CycleBlock, StopsAtASwitchThatTheMotorReaches) {
   Twins twins(ServoCard(), ServoCard());
   twins.Both([](MotionCore& core) {
-    core.state().switches.push_back(
+    core.AddSwitch(
         {.axis = 2, .type = DiType::kLimitPositive, .bit = 2, .first = 10'000, .last = 1e9});
   });
   twins.Advance(20'000);
@@ -99,7 +100,7 @@ TEST(CycleBlock, StopsAtASwitchThatTheMotorReaches) {
 
 TEST(CycleBlock, StopsInTheCycleOfAFollowingError) {
   Twins twins(ServoCard(), ServoCard());
-  twins.Both([](MotionCore& core) { core.state().controls[5].error_limit = 15; });
+  twins.Both([](MotionCore& core) { core.ControlAt(5).SetErrorLimit(15); });
   twins.Advance(4000);
   twins.ExpectEqual();
   EXPECT_NE(twins.lanes().state().axes[5].latched & kFollowingErrorBit, 0u);
@@ -109,16 +110,16 @@ TEST(CycleBlock, FindsTheCycleOfTheInPositionCondition) {
   auto card = [] {
     auto core = ServoCard();
     for (size_t i = 0; i < core->axis_count(); ++i) {
-      core->state().axes[i].band = 5;
-      core->state().axes[i].band_time = 3000 + 250 * static_cast<Micros>(i);
-      core->state().axes[i].band_set = true;
+      ChangeState(*core).axes[i].band = 5;
+      ChangeState(*core).axes[i].band_time = 3000 + 250 * static_cast<Micros>(i);
+      ChangeState(*core).axes[i].band_set = true;
     }
     return core;
   };
   Twins twins(card(), card());
   twins.Advance(500);
   twins.Both([](MotionCore& core) {
-    for (size_t i = 0; i < core.axis_count(); ++i) core.StopProfile(i, false);
+    for (size_t i = 0; i < core.axis_count(); ++i) core.ProfileAt(i).Stop(false);
   });
   for (int i = 0; i < 200; ++i) {
     twins.Advance(17);
@@ -149,8 +150,8 @@ TEST_P(BusCycleBlock, EveryKernelComputesTheSameBits) {
 void ExpectEdgeOfAProbe(DriveKind kind, Micros at, bool rests) {
   const auto card = [&] {
     auto core = JoggingBusCard(kind, {{at, WorldEventKind::kBusProbe, 3, 0, 1}});
-    core->state().bus->line.SetOutput(3, bus::ObjectId::kProbeFunction, 0x11);
-    for (size_t i = 0; i < core->axis_count() && rests; ++i) core->StopProfile(i, true);
+    core->bus_line()->SetOutput(3, bus::ObjectId::kProbeFunction, 0x11);
+    for (size_t i = 0; i < core->axis_count() && rests; ++i) core->ProfileAt(i).Stop(true);
     return core;
   };
   Twins twins(card(), card());
@@ -176,7 +177,7 @@ TEST_P(BusCycleBlock, StopsInTheCycleOfAnEdgeOfAProbe) {
 TEST_P(BusCycleBlock, StopsAtASoftwareLimitOfTheDrive) {
   Twins twins(JoggingBusCard(GetParam()), JoggingBusCard(GetParam()));
   twins.Both([](MotionCore& core) {
-    bus::ObjectValues& values = core.state().bus->line.slave(4).drive->values();
+    bus::ObjectValues& values = ChangeState(core).bus->line.slave(4).drive->values();
     values.Set(bus::ObjectId::kSoftLimitMin, -9000);
     values.Set(bus::ObjectId::kSoftLimitMax, 9000);
   });
@@ -189,11 +190,11 @@ TEST(CycleBlock, StopsWhenTheErrorWindowOfADriveIsLeft) {
   Twins twins(JoggingBusCard(DriveKind::kVelocity), JoggingBusCard(DriveKind::kVelocity));
   // The drive has the lag's error while the velocity changes: 2 ms behind 200 pulse/ms at the most.
   twins.Both([](MotionCore& core) {
-    bus::ObjectValues& values = core.state().bus->line.slave(5).drive->values();
+    bus::ObjectValues& values = ChangeState(core).bus->line.slave(5).drive->values();
     values.Set(bus::ObjectId::kErrorWindow, 25);
-    core.state().profiles[5].jog.velocity = 200;
-    core.state().profiles[5].jog.parameters = {.acc = 0.5, .dec = 0.5};
-    core.StartProfile(5);
+    core.ProfileAt(5).SetVelocity(200);
+    core.ProfileAt(5).SetParameters(JogParameters{.acc = 0.5, .dec = 0.5});
+    core.ProfileAt(5).Start();
   });
   twins.Advance(4000);
   twins.ExpectEqual();
@@ -205,12 +206,12 @@ TEST(CycleBlock, KeepsTheSetPointOfADriveWhoseMotorFrictionHolds) {
   Twins twins(JoggingBusCard(DriveKind::kVelocity), JoggingBusCard(DriveKind::kVelocity));
   twins.Both([](MotionCore& core) {
     for (size_t i = 0; i < core.axis_count(); ++i) {
-      core.StopProfile(i, true);
-      core.state().drives[i] = VelocityDrive(100, 0, 20, core.config().ServoMs());
+      core.ProfileAt(i).Stop(true);
+      ChangeState(core).drives[i] = VelocityDrive(100, 0, 20, core.config().ServoMs());
     }
   });
   twins.Advance(1000);
-  twins.Both([](MotionCore& core) { core.state().bus->axes[7].lead += 1; });
+  twins.Both([](MotionCore& core) { ChangeState(core).bus->axes[7].lead += 1; });
   twins.Advance(100);
   twins.ExpectEqual();
   const MotionCore& lanes = twins.lanes();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 #include "tests/motion/crd_run.h"
 
@@ -21,8 +22,8 @@ struct LimitedRun {
   explicit LimitedRun(const DriveLimits& limits) {
     core.WatchLimits(0, limits);
     core.Observe([this](const CardEvent& event) { events.push_back(event); });
-    core.ServoOn(0);
-    core.state().profiles[0].jog.parameters = {.acc = 0.5, .dec = 0.5};
+    core.AxisAt(0).ServoOn();
+    ChangeState(core).profiles[0].jog.parameters = {.acc = 0.5, .dec = 0.5};
     Jog(core, 10);
   }
   Kinds kinds() const {
@@ -62,7 +63,7 @@ TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
   Ticks(run.core, 50);
   EXPECT_THAT(run.kinds(), IsEmpty());
   // 10 pulse/ms to 0 within a cycle.
-  run.core.state().profiles[0].Stop(run.core.now(), 1000);
+  ChangeState(run.core).profiles[0].Stop(run.core.now(), 1000);
   Ticks(run.core, 1);
   ASSERT_THAT(run.kinds(), ElementsAre(CardEventKind::kTooSteep));
   EXPECT_NEAR(run.events[0].value, -10, 1e-9);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 
 namespace oncard::motion {
@@ -17,8 +18,8 @@ constexpr size_t kX = 0;
 
 /// Axis 1, enabled; its profile jogs at 10 pulse/ms, which it reaches within one tick.
 void StartJog(MotionCore& core, double velocity = 10) {
-  core.ServoOn(kX);
-  Profile& profile = core.state().profiles[kX];
+  core.AxisAt(kX).ServoOn();
+  Profile& profile = ChangeState(core).profiles[kX];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = velocity;
   profile.jog.parameters = {.acc = 1e6, .dec = 1e6};
@@ -36,7 +37,7 @@ TEST(Encoder, CountsTheMotorWhenEnabledOnly) {
   EXPECT_NEAR(Position(core), 100, 1);
   MotionCore off({});
   StartJog(off);
-  off.state().axes[kX].servo_on = false;
+  ChangeState(off).axes[kX].servo_on = false;
   Ticks(off, 40);
   EXPECT_EQ(Position(off), 0);
   EXPECT_NEAR(Planned(off), 100, 1);
@@ -47,14 +48,14 @@ TEST(Encoder, AChangeOfSenseReversesTheCountAndKeepsThePosition) {
   StartJog(core);
   Ticks(core, 40);
   const double before = Position(core);
-  core.SetEncoderSense(kX, true);
+  core.EncoderAt(kX).SetSense(true);
   EXPECT_EQ(Position(core), before);
   Ticks(core, 1);
   EXPECT_NEAR(Position(core), before - 2.5, 1);
   EXPECT_NEAR(core.state().encoders[kX].velocity, -10, 2.1);
   Ticks(core, 39);
   EXPECT_NEAR(Position(core), before - 100, 1);
-  core.SetEncoderSense(kX, false);
+  core.EncoderAt(kX).SetSense(false);
   Ticks(core, 40);
   EXPECT_NEAR(Position(core), before, 1);
 }
@@ -62,14 +63,14 @@ TEST(Encoder, AChangeOfSenseReversesTheCountAndKeepsThePosition) {
 TEST(Encoder, AChangeOfSourceKeepsThePosition) {
   MotionCore core({});
   StartJog(core);
-  core.state().axes[kX].servo_on = false;  // pulses are output, but the motor does not move
+  ChangeState(core).axes[kX].servo_on = false;  // pulses are output, but the motor does not move
   Ticks(core, 40);
   EXPECT_EQ(Position(core), 0);
-  core.SetEncoderExternal(kX, false);
+  core.EncoderAt(kX).SetExternal(false);
   EXPECT_EQ(Position(core), 0);
   Ticks(core, 40);
   EXPECT_NEAR(Position(core), 100, 1);
-  core.SetEncoderExternal(kX, true);
+  core.EncoderAt(kX).SetExternal(true);
   const double counted = Position(core);
   Ticks(core, 40);
   EXPECT_EQ(Position(core), counted);
@@ -78,11 +79,11 @@ TEST(Encoder, AChangeOfSourceKeepsThePosition) {
 TEST(Encoder, AnInactiveOneCountsNothing) {
   MotionCore core({});
   StartJog(core);
-  core.state().encoders[kX].active = false;
+  ChangeState(core).encoders[kX].active = false;
   Ticks(core, 40);
   EXPECT_EQ(Position(core), 0);
   EXPECT_EQ(core.state().encoders[kX].velocity, 0);
-  core.state().encoders[kX].active = true;
+  ChangeState(core).encoders[kX].active = true;
   Ticks(core, 40);
   EXPECT_NEAR(Position(core), 100, 1);
 }

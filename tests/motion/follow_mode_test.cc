@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/slave_axes.h"
 
 namespace oncard::motion {
@@ -18,7 +19,7 @@ class FollowTest : public ::testing::Test {
     follow().master = {true, MasterType::kProfile, kMaster, false};
   }
 
-  Profile& profile(size_t index) { return core_.state().profiles[index]; }
+  Profile& profile(size_t index) { return ChangeState(core_).profiles[index]; }
   FollowMode& follow() { return profile(kSlave).follow; }
   const Sample& Slave() { return profile(kSlave).now; }
   double Ratio() { return Slave().velocity / profile(kMaster).now.velocity; }
@@ -27,11 +28,11 @@ class FollowTest : public ::testing::Test {
     profile(kMaster).mode = ProfileMode::kJog;
     profile(kMaster).jog.parameters = {acc, acc, 0};
     profile(kMaster).jog.velocity = velocity;
-    core_.StartProfile(kMaster);
+    core_.ProfileAt(kMaster).Start();
   }
   void Start(uint8_t fifo = 0) {
     follow().fifo = fifo;
-    core_.StartProfile(kSlave);
+    core_.ProfileAt(kSlave).Start();
   }
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();

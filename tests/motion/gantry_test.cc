@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 
 namespace oncard::motion {
@@ -13,10 +14,10 @@ namespace {
 MotionCore UnevenCore(double coupling) {
   MotionCore core({});
   for (const size_t axis : {size_t{0}, size_t{1}}) {
-    core.state().drives[axis] = VelocityDrive(axis == 0 ? 100 : 90, 2, 0, 0.125);
-    core.state().controls[axis].sets[0] = {.kp = 20};
-    core.SetClosedLoop(axis, true);
-    core.ServoOn(axis);
+    core.ConnectDrive(axis, VelocityDrive(axis == 0 ? 100 : 90, 2, 0, 0.125));
+    ChangeState(core).controls[axis].sets[0] = {.kp = 20};
+    core.AxisAt(axis).SetClosedLoop(true);
+    core.AxisAt(axis).ServoOn();
   }
   core.EnableGantry(0, 1, coupling, coupling);
   return core;
@@ -24,11 +25,11 @@ MotionCore UnevenCore(double coupling) {
 
 TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {
   MotionCore core({.cycle_us = 1000});
-  core.ServoOn(0);
-  core.ServoOn(1);
-  core.state().axes[1].profile_map = 0b10;
-  core.SetProfilePosition(1, 700);
-  core.SynchAxis(1);
+  core.AxisAt(0).ServoOn();
+  core.AxisAt(1).ServoOn();
+  ChangeState(core).axes[1].profile_map = 0b10;
+  core.ProfileAt(1).SetPosition(700);
+  core.AxisAt(1).SynchPosition();
   core.EnableGantry(0, 1, 0, 0);
   Jog(core, 10);
   Ticks(core, 100);
@@ -37,7 +38,7 @@ TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {
   EXPECT_EQ(core.state().axes[1].profile.position, 700 + moved);
   EXPECT_EQ(core.GantrySkew(), 0);
   // Afterwards the axes are independent again and keep their positions.
-  core.StopProfile(0, true);
+  core.ProfileAt(0).Stop(true);
   while (core.AxisMoving(core.state().axes[0])) core.Tick();
   const double end = core.state().axes[0].profile.position;
   core.DisableGantry();
@@ -48,10 +49,10 @@ TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {
 
 TEST(Gantry, ASwitchOfTheSlaveStopsBoth) {
   MotionCore core({.cycle_us = 1000});
-  core.ServoOn(0);
-  core.ServoOn(1);
+  core.AxisAt(0).ServoOn();
+  core.AxisAt(1).ServoOn();
   core.EnableGantry(0, 1, 0, 0);
-  core.state().axes[1].soft_positive = 300;
+  ChangeState(core).axes[1].soft_positive = 300;
   Jog(core, 10);
   Ticks(core, 200);
   EXPECT_NE(core.Conditions(1) & kPositiveLimitBit, 0u);
@@ -82,20 +83,20 @@ TEST(Gantry, RenamingPositionsMovesNothingAndIsNoSkew) {
   for (const size_t axis : {size_t{0}, size_t{1}}) {
     for (const bool zero : {true, false}) {
       MotionCore core = UnevenCore(10);
-      core.state().gantry.error_limit = 20;
+      core.SetGantryErrorLimit(20);
       Jog(core, 10);
       Ticks(core, 2000);
-      core.StopProfile(0, true);
+      core.ProfileAt(0).Stop(true);
       Ticks(core, 2000);
       const double skew = core.GantrySkew();
       const double beam[] = {core.state().plants[0].position, core.state().plants[1].position};
       ASSERT_GT(beam[0], 4000);
       if (zero) {
-        core.ZeroAxis(axis);
+        core.AxisAt(axis).ZeroPosition();
         EXPECT_EQ(core.state().axes[axis].profile.position, 0);
         EXPECT_EQ(core.state().axes[axis].encoder.position, 0);
       } else {
-        core.SynchAxis(axis);
+        core.AxisAt(axis).SynchPosition();
       }
       EXPECT_EQ(core.GantrySkew(), skew);
       Ticks(core, 2000);
@@ -109,10 +110,10 @@ TEST(Gantry, RenamingPositionsMovesNothingAndIsNoSkew) {
 
 TEST(Gantry, AScaleOfTheMasterIsTheSlavesToo) {
   MotionCore core({.cycle_us = 1000});
-  core.ServoOn(0);
-  core.ServoOn(1);
+  core.AxisAt(0).ServoOn();
+  core.AxisAt(1).ServoOn();
   core.EnableGantry(0, 1, 0, 0);
-  core.SetProfileScale(0, {2, 1});
+  core.AxisAt(0).SetProfileScale({2, 1});
   Jog(core, 10);
   Ticks(core, 100);
   EXPECT_GT(core.state().plants[0].position, 200);
@@ -121,11 +122,11 @@ TEST(Gantry, AScaleOfTheMasterIsTheSlavesToo) {
 
 TEST(Gantry, TooMuchSkewSwitchesBothOff) {
   MotionCore core({.cycle_us = 1000});
-  core.ServoOn(0);
-  core.ServoOn(1);
+  core.AxisAt(0).ServoOn();
+  core.AxisAt(1).ServoOn();
   core.EnableGantry(0, 1, 0, 0);
-  core.state().gantry.error_limit = 50;
-  core.state().plants[1].stalled = true;
+  core.SetGantryErrorLimit(50);
+  ChangeState(core).plants[1].stalled = true;
   Jog(core, 1);
   while (core.state().axes[0].encoder.position < 50) core.Tick();
   EXPECT_NE(core.Conditions(0) & kServoOnBit, 0u);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/slave_axes.h"
 
 namespace oncard::motion {
@@ -14,13 +15,13 @@ class GearTest : public ::testing::Test {
  protected:
   explicit GearTest(int64_t cycle_us = 250) : core_({.axis_count = 8, .cycle_us = cycle_us}) {}
 
-  Profile& profile(size_t index) { return core_.state().profiles[index]; }
+  Profile& profile(size_t index) { return ChangeState(core_).profiles[index]; }
 
   void Jog(size_t index, double acc, double velocity) {
     profile(index).mode = ProfileMode::kJog;
     profile(index).jog.parameters = {acc, acc, 0};
     profile(index).jog.velocity = velocity;
-    core_.StartProfile(index);
+    core_.ProfileAt(index).Start();
   }
   void Gear(size_t slave, size_t master, int32_t master_even, int32_t slave_even, int32_t slope,
             int8_t direction = 0) {
@@ -31,7 +32,7 @@ class GearTest : public ::testing::Test {
     gear.master_even = master_even;
     gear.slave_even = slave_even;
     gear.slope = slope;
-    core_.StartProfile(slave);
+    core_.ProfileAt(slave).Start();
   }
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();
@@ -104,7 +105,7 @@ TEST_F(GearTest, AStepBackBeforeTheMoveDoesNotHoldTheClutch) {
 TEST_F(GearTest, ANewPositionOfTheMasterDoesNotMoveTheSlave) {
   Gear(kSlave, kMaster, 1, 1, 0);
   core_.Tick();
-  core_.SetProfilePosition(kMaster, 100000);
+  core_.ProfileAt(kMaster).SetPosition(100000);
   core_.Tick();
   EXPECT_EQ(Slave().position, 0);
 }
@@ -145,7 +146,7 @@ TEST_F(GearTest, AStopLeavesTheGear) {
   Jog(kMaster, 10, 10);
   Gear(kSlave, kMaster, 1, 1, 0);
   RunTo(50);
-  core_.StopProfile(kSlave, true);
+  core_.ProfileAt(kSlave).Stop(true);
   RunTo(60);
   EXPECT_FALSE(Slave().moving);
   const double stopped = Slave().position;
@@ -188,12 +189,12 @@ TEST_F(GearTest, AreaEventStartsAtTheAreasEdge) {
 }
 
 TEST_F(GearTest, AnEncoderIsReadAsOfTheCycleBefore) {
-  core_.ServoOn(kMaster);
+  core_.AxisAt(kMaster).ServoOn();
   Jog(kMaster, 10, 10);
   GearMode& gear = profile(kSlave).gear;
   profile(kSlave).mode = ProfileMode::kGear;
   gear.master = {true, MasterType::kEncoder, kMaster, false};
-  core_.StartProfile(kSlave);
+  core_.ProfileAt(kSlave).Start();
   RunTo(100);
   const double before = core_.state().encoders[kMaster].position;
   core_.Tick();

@@ -10,6 +10,7 @@
 
 #include "motion/motion_core.h"
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 namespace {
@@ -139,14 +140,14 @@ class Mechanism {
 /// A trapezoidal move of the first axis of a card, its drive followed by the mechanism.
 struct Move {
   Move(size_t count, double k) {
-    core.SetInputShaper(0, count, k);
-    core.ServoOn(0);
-    Profile& profile = core.state().profiles[0];
+    core.AxisAt(0).SetInputShaper(count, k);
+    core.AxisAt(0).ServoOn();
+    Profile& profile = ChangeState(core).profiles[0];
     profile.mode = ProfileMode::kTrap;
     profile.trap.parameters = {2, 2, 0, 0};
     profile.trap.velocity = 20;
     profile.trap.target = 1003;
-    core.StartProfile(0);
+    core.ProfileAt(0).Start();
   }
   double motor() const { return core.state().plants[0].position; }
   bool moving() const { return core.state().profiles[0].now.moving; }
@@ -212,7 +213,7 @@ TEST(ShapedAxis, PlansAsBeforeAndItsMotorFollowsTheShapedCommand) {
 TEST(ShapedAxis, OutputsTheRestOfAnAbruptStop) {
   Move move(20, 1);
   move.Ticks(30);
-  move.core.StopProfile(0, true);
+  move.core.ProfileAt(0).Stop(true);
   move.Ticks(2);
   ASSERT_FALSE(move.moving());
   const double end = move.core.state().profiles[0].now.position;
@@ -226,7 +227,7 @@ TEST(ShapedAxis, OutputsTheRestOfAnAbruptStop) {
 
 TEST(ShapedAxis, IsInPositionWhenItHasPassedTheWholeMotion) {
   Move move(20, 1);
-  Axis& axis = move.core.state().axes[0];
+  Axis& axis = ChangeState(move.core).axes[0];
   axis.band = 1000;
   axis.band_set = true;
   while (move.moving()) move.core.Tick();
@@ -237,7 +238,7 @@ TEST(ShapedAxis, IsInPositionWhenItHasPassedTheWholeMotion) {
 
 TEST(ShapedAxis, HasNoFollowingErrorFromIt) {
   Move move(500, 1);
-  move.core.state().controls[0].error_limit = 5;
+  move.core.ControlAt(0).SetErrorLimit(5);
   move.Ticks(60);
   EXPECT_LT(move.motor(), move.core.state().profiles[0].now.position - 100);
   EXPECT_FALSE(move.core.FollowingErrorExceeded(0));
@@ -247,15 +248,15 @@ TEST(ShapedAxis, HasNoFollowingErrorFromIt) {
 TEST(ShapedAxis, StaysWhereItIsWhenItIsEnabledAgain) {
   for (const bool closed : {false, true}) {
     Move move(40, 1);
-    if (closed) move.core.SetClosedLoop(0, true);
+    if (closed) move.core.AxisAt(0).SetClosedLoop(true);
     move.Ticks(30);
     const double motor = move.motor();
-    move.core.ServoOff(0);
+    move.core.AxisAt(0).ServoOff();
     EXPECT_TRUE(move.core.ShaperSettled(0));
     move.Ticks(closed ? 5 : 1);
     EXPECT_TRUE(move.core.ShaperSettled(0));
     if (closed) {
-      move.core.ServoOn(0);
+      move.core.AxisAt(0).ServoOn();
       move.Ticks(50);
       EXPECT_NEAR(move.motor(), motor, 1);
     } else {
@@ -273,8 +274,8 @@ TEST(ShapedAxis, RenamingItsPositionsMovesNothing) {
   const double motor = move.motor();
   ASSERT_LT(motor, 1000);
   // The rest of the motion is output, whatever the positions are called.
-  core.SetProfilePosition(0, 5);
-  core.SynchAxis(0);
+  core.ProfileAt(0).SetPosition(5);
+  core.AxisAt(0).SynchPosition();
   EXPECT_EQ(move.motor(), motor);
   EXPECT_FALSE(core.ShaperSettled(0));
   move.Ticks(30);
@@ -288,13 +289,13 @@ TEST(ShapedAxis, EndsItsMotionWhereItIsCalledZero) {
     Move move(40, 1);
     MotionCore& core = move.core;
     if (closed) {
-      core.SetClosedLoop(0, true);
-      core.ServoOn(0);
+      core.AxisAt(0).SetClosedLoop(true);
+      core.AxisAt(0).ServoOn();
     }
     while (move.moving()) core.Tick();
     move.Ticks(10);
     const double motor = move.motor();
-    core.ZeroAxis(0);
+    core.AxisAt(0).ZeroPosition();
     EXPECT_TRUE(core.ShaperSettled(0));
     move.Ticks(50);
     EXPECT_NEAR(move.motor(), motor, 1e-9);
@@ -306,7 +307,7 @@ TEST(ShapedAxis, EndsItsMotionWhereItIsCalledZero) {
 
 TEST(ShapedAxis, ShapesBacklashAndSettlesExactly) {
   Move move(16, 0.75);
-  move.core.SetBacklash(0, {30, 0, true});
+  move.core.AxisAt(0).SetBacklash({30, 0, true});
   while (move.moving()) move.core.Tick();
   move.Ticks(16);
   EXPECT_TRUE(move.core.ShaperSettled(0));
@@ -317,11 +318,11 @@ TEST(ShapedAxis, FeedsTheShapedVelocityForward) {
   // With velocity feed forward alone a velocity drive follows as well as without a shaper.
   const auto worst = [](size_t count) {
     Move move(count, 0.8);
-    move.core.state().drives[0] = VelocityDrive(100, 0, 0, 0.125);
-    move.core.state().controls[0].sets[0] = {.kp = 2, .kvff = 327.67};
-    move.core.SetClosedLoop(0, true);
-    move.core.ServoOn(0);
-    move.core.StartProfile(0);
+    move.core.ConnectDrive(0, VelocityDrive(100, 0, 0, 0.125));
+    ChangeState(move.core).controls[0].sets[0] = {.kp = 2, .kvff = 327.67};
+    move.core.AxisAt(0).SetClosedLoop(true);
+    move.core.AxisAt(0).ServoOn();
+    move.core.ProfileAt(0).Start();
     double error = 0;
     for (int i = 0; i < 200; ++i) {
       move.core.Tick();
@@ -338,13 +339,13 @@ TEST(ShapedAxis, OnABusSendsTheShapedCommandToItsDrive) {
   bus::BusCard card({bus::FullDrive(0)}, {.axis_count = 4, .cycle_us = 1000});
   card.Power();
   card.Enable();
-  card.core.SetInputShaper(0, kCount, 0.5);
-  Profile& profile = card.core.state().profiles[0];
+  card.core.AxisAt(0).SetInputShaper(kCount, 0.5);
+  Profile& profile = ChangeState(card.core).profiles[0];
   profile.mode = ProfileMode::kTrap;
   profile.trap.parameters = {2, 2, 0, 0};
   profile.trap.velocity = 20;
   profile.trap.target = 1003;
-  card.core.StartProfile(0);
+  card.core.ProfileAt(0).Start();
   std::vector<double> planned(kCount, 0.0);
   for (int i = 0; i < 150; ++i) {
     card.Ticks(1);
@@ -362,17 +363,17 @@ TEST(ShapedAxis, OnABusStaysWhereItIsWhenItIsEnabledAgain) {
   bus::BusCard card({bus::FullDrive(0)}, {.axis_count = 4, .cycle_us = 1000});
   card.Power();
   card.Enable();
-  card.core.SetInputShaper(0, 40, 1);
-  Profile& profile = card.core.state().profiles[0];
+  card.core.AxisAt(0).SetInputShaper(40, 1);
+  Profile& profile = ChangeState(card.core).profiles[0];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = 10;
-  card.core.StartProfile(0);
+  card.core.ProfileAt(0).Start();
   card.Ticks(30);
-  card.core.ServoOff(0);
-  card.core.StopProfile(0, true);
+  card.core.AxisAt(0).ServoOff();
+  card.core.ProfileAt(0).Stop(true);
   card.Ticks(5);
   const double motor = card.motor().position;
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(60);
   EXPECT_NEAR(card.motor().position, motor, 1);
 }
@@ -381,12 +382,12 @@ TEST(ShapedAxis, OfAGantryMovesAsTheOtherIfThatIsShapedLikeIt) {
   Move move(30, 0.7);
   MotionCore& core = move.core;
   move.Ticks(200);
-  core.SetInputShaper(1, 30, 0.7);
-  core.ServoOn(1);
+  core.AxisAt(1).SetInputShaper(30, 0.7);
+  core.AxisAt(1).ServoOn();
   core.EnableGantry(0, 1, 0, 0);
   const double slave = core.state().plants[1].position;
-  core.state().profiles[0].trap.target = -500;
-  core.StartProfile(0);
+  ChangeState(core).profiles[0].trap.target = -500;
+  core.ProfileAt(0).Start();
   for (int i = 0; i < 200; ++i) {
     core.Tick();
     ASSERT_NEAR(core.state().plants[1].position - slave, move.motor() - 1003, 1e-9) << i;
@@ -411,7 +412,7 @@ TEST(ShapedAxis, ForgetsEverythingAtReset) {
 TEST(ShapedAxis, IsPartOfTheHashOnlyWhileItIsOn) {
   MotionCore core({.axis_count = 4});
   const uint64_t plain = core.Hash();
-  core.SetInputShaper(1, 0, 0);
+  core.AxisAt(1).SetInputShaper(0, 0);
   EXPECT_EQ(core.Hash(), plain);
   std::vector<uint64_t> hashes = {plain};
   const struct {
@@ -419,12 +420,12 @@ TEST(ShapedAxis, IsPartOfTheHashOnlyWhileItIsOn) {
     double k;
   } cases[] = {{0, 2, 1}, {1, 2, 1}, {1, 3, 1}, {1, 3, 0.5}};
   for (const auto& c : cases) {
-    for (size_t axis = 0; axis < 2; ++axis) core.SetInputShaper(axis, 0, 0);
-    core.SetInputShaper(c.axis, c.count, c.k);
+    for (size_t axis = 0; axis < 2; ++axis) core.AxisAt(axis).SetInputShaper(0, 0);
+    core.AxisAt(c.axis).SetInputShaper(c.count, c.k);
     for (const uint64_t other : hashes) EXPECT_NE(core.Hash(), other);
     hashes.push_back(core.Hash());
   }
-  core.SetInputShaper(1, 0, 0);
+  core.AxisAt(1).SetInputShaper(0, 0);
   EXPECT_EQ(core.Hash(), plain);
 }
 
@@ -435,7 +436,7 @@ TEST(ShapedAxis, GoesOnFromASnapshot) {
   move.Ticks(45);
   const uint64_t hash = move.core.Hash();
   move.Ticks(100);
-  move.core.state() = snapshot;
+  ChangeState(move.core) = snapshot;
   move.Ticks(45);
   EXPECT_EQ(move.core.Hash(), hash);
 }

@@ -1,5 +1,6 @@
 // Time at several cycle lengths, reset, and the hash of the state.
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 #include <gtest/gtest.h>
 
@@ -44,8 +45,8 @@ TEST(MotionReset, ZeroesTheClockButNotTheCycleCounter) {
 
 TEST(MotionReset, ClearsOutputsAndKeepsPins) {
   MotionCore core({});
-  core.state().io.Write(DoType::kGpo, 1, 1);
-  core.state().io.SetPin(DiType::kHome, 2, true);
+  core.digital_io().Write(DoType::kGpo, 1, 1);
+  core.digital_io().SetPin(DiType::kHome, 2, true);
   core.Reset();
   EXPECT_EQ(core.state().io.Register(DoType::kGpo), 0u);
   EXPECT_EQ(core.state().io.Pins(DiType::kHome), 4u);
@@ -77,7 +78,7 @@ TEST(MotionReset, SetsWhatTheConfigurationSays) {
 
 TEST(MotionReset, SetsTheFiltersOfTheConfiguration) {
   MotionCore core({.defaults = {.filter_ticks = 1}});
-  core.state().io.SetPin(DiType::kGpi, 0, true);
+  core.digital_io().SetPin(DiType::kGpi, 0, true);
   TickTimes(core, 1);
   EXPECT_EQ(core.state().io.Read(DiType::kGpi), 1u);
 }
@@ -85,7 +86,7 @@ TEST(MotionReset, SetsTheFiltersOfTheConfiguration) {
 TEST(MotionReset, ClosesTheLoopsOfTheCardsThatHaveIt) {
   MotionCore core({.axis_count = 4, .defaults = {.closed_loop = true}});
   for (size_t axis = 0; axis < 4; ++axis) EXPECT_TRUE(core.InClosedLoop(axis)) << axis;
-  core.SetClosedLoop(2, false);
+  core.AxisAt(2).SetClosedLoop(false);
   EXPECT_FALSE(core.InClosedLoop(2));
   core.Reset();
   EXPECT_TRUE(core.InClosedLoop(2));
@@ -96,7 +97,7 @@ TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   CrdParameters parameters;
   parameters.dimension = 2;
   parameters.profile = {1, 2};
-  core.SetUpCrd(0, parameters);
+  core.CrdAt(0).SetUp(parameters);
   EXPECT_EQ(core.state().crds[0].smooth_stop, 2);
   EXPECT_EQ(core.state().crds[0].abrupt_stop, 50);
 }
@@ -105,7 +106,7 @@ TEST(MotionReset, TakesTheVoltageFromTheSpindleOfACardThatHasOne) {
   MotionCore core({});
   core.Reset();
   EXPECT_FALSE(core.state().spindle);
-  core.state().spindle.Emplace().value = 32767;
+  core.SetSpindle(32767);
   EXPECT_DOUBLE_EQ(core.state().spindle->Volts(), 10);
   TickTimes(core, 4);
   EXPECT_DOUBLE_EQ(core.state().spindle->Volts(), 10);
@@ -116,8 +117,8 @@ TEST(MotionReset, TakesTheVoltageFromTheSpindleOfACardThatHasOne) {
 
 TEST(MotionTick, SamplesInputsAndAdvancesTimedOutputs) {
   MotionCore core({.cycle_us = 1000});
-  core.state().io.SetPin(DiType::kGpi, 0, true);
-  core.state().io.WriteForAWhile(DoType::kGpo, 0, true, 2000);
+  core.digital_io().SetPin(DiType::kGpi, 0, true);
+  ChangeState(core).io.WriteForAWhile(DoType::kGpo, 0, true, 2000);
   TickTimes(core, 1);
   EXPECT_EQ(core.state().io.Register(DoType::kGpo), 1u);
   TickTimes(core, 2);
@@ -128,7 +129,7 @@ TEST(MotionTick, SamplesInputsAndAdvancesTimedOutputs) {
 TEST(MotionTick, AStopAtALimitWithAnInfiniteDecelerationRestsInTheSameCycle) {
   MotionCore core({.defaults = {.abrupt_stop = std::numeric_limits<double>::infinity()}});
   Jog(core, 10);
-  core.state().axes[0].soft_positive = 1000;
+  core.AxisAt(0).SetSoftLimits(1000, kNoNegativeLimit);
   while (core.axis(0).latched == 0) core.Tick();
   EXPECT_EQ(core.profile(0).now.velocity, 0);
   EXPECT_FALSE(core.profile(0).now.moving);
@@ -145,7 +146,7 @@ TEST(MotionHash, IsEqualForEqualStatesAndForACopyPutBack) {
   const uint64_t hash = a.Hash();
   TickTimes(a, 9);
   EXPECT_NE(a.Hash(), hash);
-  a.state() = kept;
+  ChangeState(a) = kept;
   EXPECT_EQ(a.Hash(), hash);
 }
 
@@ -153,7 +154,7 @@ TEST(MotionHash, SeesEveryPartOfTheState) {
   const auto changed = [](auto change) {
     MotionCore core({});
     const uint64_t before = core.Hash();
-    change(core.state());
+    change(ChangeState(core));
     return core.Hash() != before;
   };
   EXPECT_TRUE(changed([](MotionState& s) { s.cycle = 1; }));

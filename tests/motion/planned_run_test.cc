@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "tests/motion/change_state.h"
 #include "tests/motion/crd_run.h"
 #include "tests/motion/planned_path.h"
 
@@ -25,7 +26,7 @@ class PlannedRun {
     card.fifo().planner->virtual_run.on = virtual_run;
     card.fifo().planner->virtual_run.cycle = kCycle;
     for (const PathSlot& slot : path.slots) {
-      EXPECT_TRUE(card.core.AppendToCrd(0, 0, slot));
+      EXPECT_TRUE(card.core.CrdAt(0).Append(0, slot));
       if (slot.is_segment) {
         segments_.slots.push_back(slot);
       } else if (slot.command.kind == BufferedKind::kGear) {
@@ -373,7 +374,7 @@ TEST(PlannedRun, StopsAndGoesOnInAnArc) {
   run.each_cycle = [&](double time) {
     if (!stopped && time == 500) {
       run.card.crd().smooth_stop = 0.2;
-      run.card.core.StopCrd(0, false);
+      run.card.core.CrdAt(0).Stop(false);
       EXPECT_LT(run.card.TicksToEnd(), 4000);
       EXPECT_TRUE(run.card.fifo().executing);
       run.card.Start();
@@ -392,7 +393,7 @@ TEST(PlannedRun, GoesOnFromACopyOfItsState) {
   const MotionState copy = run.card.core.state();
   for (int i = 0; i < 3000; ++i) run.card.core.Tick();
   const uint64_t hash = run.card.core.Hash();
-  run.card.core.state() = copy;
+  ChangeState(run.card.core) = copy;
   EXPECT_NE(run.card.core.Hash(), hash);
   for (int i = 0; i < 3000; ++i) run.card.core.Tick();
   EXPECT_EQ(run.card.core.Hash(), hash);

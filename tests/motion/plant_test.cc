@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 
 namespace oncard::motion {
@@ -50,8 +51,8 @@ TEST(IdealDrive, FollowsExactlyByPulsesAndInClosedLoop) {
     for (const int64_t cycle_us : {125, 250, 1000}) {
       MotionCore core({.cycle_us = cycle_us});
       core.PlaceMotor(0, 777);
-      core.SetClosedLoop(0, closed);
-      core.ServoOn(0);
+      core.AxisAt(0).SetClosedLoop(closed);
+      core.AxisAt(0).ServoOn();
       Jog(core, 33.3);
       for (int i = 0; i < 500; ++i) {
         core.Tick();
@@ -66,16 +67,16 @@ TEST(IdealDrive, FollowsExactlyByPulsesAndInClosedLoop) {
 
 TEST(IdealDrive, LosesThePulsesOfAStall) {
   MotionCore core({});
-  core.ServoOn(0);
+  core.AxisAt(0).ServoOn();
   Jog(core, 10);
   Ticks(core, 400);
   const double before = core.state().plants[0].position;
   const double planned = core.state().axes[0].profile.position;
-  core.state().plants[0].stalled = true;
+  ChangeState(core).plants[0].stalled = true;
   Ticks(core, 40);
   EXPECT_EQ(core.state().plants[0].position, before);
   EXPECT_EQ(core.state().plants[0].velocity, 0);
-  core.state().plants[0].stalled = false;
+  ChangeState(core).plants[0].stalled = false;
   Ticks(core, 40);
   EXPECT_NEAR(core.state().plants[0].position, before + 100, 1e-9);
   EXPECT_NEAR(core.state().axes[0].profile.position, planned + 200, 1e-9);
@@ -83,14 +84,14 @@ TEST(IdealDrive, LosesThePulsesOfAStall) {
 
 TEST(VelocityDriveMotor, ObeysTheVoltageOfItsOutputWhileEnabled) {
   MotionCore core({});
-  core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
-  core.state().dacs[0].value = 32767;
+  core.ConnectDrive(0, VelocityDrive(100, 2, 0, 0.125));
+  ChangeState(core).dacs[0].value = 32767;
   Ticks(core, 40);
   EXPECT_EQ(core.state().plants[0].position, 0);
-  core.ServoOn(0);
+  core.AxisAt(0).ServoOn();
   Ticks(core, 40);  // 10 ms
   EXPECT_NEAR(core.state().plants[0].position, 100 * (10 - 2 * (1 - std::exp(-5.0))), 1e-8);
-  core.ServoOff(0);
+  core.AxisAt(0).ServoOff();
   Ticks(core, 400);
   EXPECT_NEAR(core.state().plants[0].velocity, 0, 1e-9);
 }
@@ -98,9 +99,9 @@ TEST(VelocityDriveMotor, ObeysTheVoltageOfItsOutputWhileEnabled) {
 TEST(VelocityDriveMotor, DoesNotDependOnTheCycle) {
   const auto run = [](int64_t cycle_us) {
     MotionCore core({.cycle_us = cycle_us});
-    core.state().drives[0] = VelocityDrive(100, 2, 0.5, 0.125);
-    core.ServoOn(0);
-    core.state().dacs[0].value = 12345;
+    core.ConnectDrive(0, VelocityDrive(100, 2, 0.5, 0.125));
+    core.AxisAt(0).ServoOn();
+    ChangeState(core).dacs[0].value = 12345;
     while (core.now() < 100'000) core.Tick();
     return core.state().plants[0].position;
   };

@@ -88,11 +88,11 @@ inline void AppendBusEvents(const bus::Slaves& slaves, WorldEvents& events, Rand
 
 /// Brings communication to OP; if it starts, the drives of all axes are enabled.
 inline void BringUp(MotionCore& core, bool starts) {
-  core.state().bus->line.Init(core.now());
+  core.bus_line()->Init(core.now());
   for (Micros end = core.now() + 5 * bus::kBusStepUs; core.now() < end;) core.Tick();
   if (!starts) return;
-  core.state().bus->line.Start();
-  for (size_t i = 0; i < core.axis_count(); ++i) core.ServoOn(i);
+  core.bus_line()->Start();
+  for (size_t i = 0; i < core.axis_count(); ++i) core.AxisAt(i).ServoOn();
   for (int i = 0; i < 8; ++i) core.Tick();
 }
 
@@ -104,15 +104,14 @@ inline std::unique_ptr<MotionCore> JoggingBusCard(DriveKind kind, WorldEvents ev
   const auto shared = std::make_shared<const bus::Slaves>(std::move(slaves));
   core->ConnectBus(shared, shared);
   for (size_t i = 0; i < core->axis_count() && kind == DriveKind::kVelocity; ++i) {
-    core->state().drives[i] = VelocityDrive(100, 2, 0, core->config().ServoMs());
+    core->ConnectDrive(i, VelocityDrive(100, 2, 0, core->config().ServoMs()));
   }
   core->PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
   BringUp(*core, true);
   for (size_t i = 0; i < core->axis_count(); ++i) {
-    Profile& profile = core->state().profiles[i];
-    profile.mode = ProfileMode::kJog;
-    profile.jog.velocity = 10 + static_cast<double>(i);
-    core->StartProfile(i);
+    core->ProfileAt(i).SelectMode(ProfileMode::kJog);
+    core->ProfileAt(i).SetVelocity(10 + static_cast<double>(i));
+    core->ProfileAt(i).Start();
   }
   core->Advance(100);
   return core;
@@ -126,10 +125,10 @@ inline std::unique_ptr<MotionCore> RandomBusCard(uint64_t seed) {
   for (size_t i = 0; i < core->axis_count(); ++i) {
     RandomDrive(*core, i, random);
     if (random.OneIn(4)) continue;
-    core->state().drives[i] = {};
+    core->ConnectDrive(i, {});
     if (!velocity) continue;
-    core->state().drives[i] = VelocityDrive(random.Between(20, 200), random.Between(0, 6),
-                                            random.OneIn(3) ? 1.5 : 0, config.ServoMs());
+    core->ConnectDrive(i, VelocityDrive(random.Between(20, 200), random.Between(0, 6),
+                                        random.OneIn(3) ? 1.5 : 0, config.ServoMs()));
   }
   const bus::Slaves slaves = RandomSlaves(config, random);
   const auto shared = std::make_shared<const bus::Slaves>(slaves);
@@ -137,11 +136,11 @@ inline std::unique_ptr<MotionCore> RandomBusCard(uint64_t seed) {
   constexpr DiType kTypes[] = {DiType::kHome, DiType::kLimitPositive, DiType::kLimitNegative};
   for (int switches = random.Below(4); switches > 0; --switches) {
     const double first = random.Between(-4000, 4000);
-    core->state().switches.push_back({.axis = static_cast<uint8_t>(random.Below(config.axis_count)),
-                                      .type = kTypes[random.Below(3)],
-                                      .bit = static_cast<uint8_t>(random.Below(8)),
-                                      .first = first,
-                                      .last = first + random.Between(1, 500)});
+    core->AddSwitch({.axis = static_cast<uint8_t>(random.Below(config.axis_count)),
+                     .type = kTypes[random.Below(3)],
+                     .bit = static_cast<uint8_t>(random.Below(8)),
+                     .first = first,
+                     .last = first + random.Between(1, 500)});
   }
   WorldEvents events = RandomEvents(config, random);
   AppendBusEvents(slaves, events, random);
@@ -167,12 +166,12 @@ inline void RandomDownload(MotionCore& core, size_t slave, RandomNumbers& random
   std::array<uint8_t, 4> bytes{};
   const std::span<uint8_t> data = std::span(bytes).first(entry.bytes());
   bus::WriteNumber(value, data);
-  core.state().bus->line.Download(slave, entry.index, entry.subindex, data);
+  core.bus_line()->Download(slave, entry.index, entry.subindex, data);
 }
 
 /// What a host writes over the process image, for one exchange.
 inline void RandomImage(MotionCore& core, RandomNumbers& random) {
-  bus::ProcessImage& image = core.state().bus->line.image();
+  bus::ProcessImage& image = core.bus_line()->image();
   if (image.size() == 0) return;
   const auto offset = static_cast<size_t>(random.Below(static_cast<int>(image.size())));
   const std::array<uint8_t, 1> data = {static_cast<uint8_t>(random.Below(16))};
@@ -229,8 +228,7 @@ inline void RandomBusCommand(MotionCore& core, RandomNumbers& random) {
       RandomImage(core, random);
       break;
     case 6:
-      core.state().bus->line.SetOutput(slave, bus::ObjectId::kProbeFunction,
-                                       0x1111 * random.Below(4));
+      core.bus_line()->SetOutput(slave, bus::ObjectId::kProbeFunction, 0x1111 * random.Below(4));
       break;
     case 7:
       if (random.OneIn(3)) core.TerminateBus();
@@ -245,7 +243,7 @@ inline void RandomBusCommand(MotionCore& core, RandomNumbers& random) {
       if (random.OneIn(4)) core.Reset();
       break;
     case 11:
-      core.SetEncoderPosition(axis, random.Below(1000));
+      core.EncoderAt(axis).SetPosition(random.Below(1000));
       break;
     case 12:
     case 13:

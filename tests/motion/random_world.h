@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion {
 
@@ -45,7 +46,7 @@ inline MotionConfig RandomConfig(RandomNumbers& random) {
 
 /// Gives a motor a drive and, in half of the cases, a servo controller.
 inline void RandomDrive(MotionCore& core, size_t axis, RandomNumbers& random) {
-  MotionState& state = core.state();
+  MotionState& state = ChangeState(core);
   if (random.OneIn(2)) {
     state.drives[axis] = VelocityDrive(random.Between(20, 200), random.Between(0, 6),
                                        random.OneIn(3) ? 1.5 : 0, core.config().ServoMs());
@@ -62,9 +63,9 @@ inline void RandomDrive(MotionCore& core, size_t axis, RandomNumbers& random) {
   if (random.OneIn(5)) set.limit = static_cast<int16_t>(random.Below(32767));
   state.dacs[axis].bias = static_cast<int16_t>(random.OneIn(4) ? random.Below(200) - 100 : 0);
   if (random.OneIn(6)) state.controls[axis].error_limit = random.Below(400);
-  if (random.OneIn(2)) core.SetClosedLoop(axis, true);
-  if (random.OneIn(4)) core.SetEncoderSense(axis, true);
-  if (random.OneIn(5)) core.SetEncoderExternal(axis, false);
+  if (random.OneIn(2)) core.AxisAt(axis).SetClosedLoop(true);
+  if (random.OneIn(4)) core.EncoderAt(axis).SetSense(true);
+  if (random.OneIn(5)) core.EncoderAt(axis).SetExternal(false);
 }
 
 inline WorldEvents RandomEvents(const MotionConfig& config, RandomNumbers& random) {
@@ -109,7 +110,7 @@ inline std::unique_ptr<MotionCore> RandomCard(uint64_t seed) {
   for (size_t i = 0; i < count; ++i) RandomDrive(*core, i, random);
   for (int switches = random.Below(4); switches > 0; --switches) {
     const double first = random.Between(-4000, 4000);
-    core->state().switches.push_back(
+    ChangeState(*core).switches.push_back(
         {.axis = static_cast<uint8_t>(random.Below(config.axis_count)),
          .type = random.OneIn(2) ? DiType::kHome : DiType::kLimitPositive,
          .bit = static_cast<uint8_t>(random.Below(8)),
@@ -118,7 +119,7 @@ inline std::unique_ptr<MotionCore> RandomCard(uint64_t seed) {
          .active_low = random.OneIn(4)});
   }
   for (size_t i = 0; i < count; ++i) {
-    if (!random.OneIn(5)) core->ServoOn(i);
+    if (!random.OneIn(5)) core->AxisAt(i).ServoOn();
   }
   core->PowerOn(std::make_shared<const WorldEvents>(RandomEvents(config, random)));
   return core;
@@ -126,7 +127,7 @@ inline std::unique_ptr<MotionCore> RandomCard(uint64_t seed) {
 
 /// Chooses a mode and begins a motion.
 inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
-  Profile& profile = core.state().profiles[axis];
+  Profile& profile = ChangeState(core).profiles[axis];
   if (profile.mode == ProfileMode::kCrd || profile.driven) return;
   if (!profile.now.moving) {
     constexpr ProfileMode kModes[] = {ProfileMode::kTrap,   ProfileMode::kTrap,
@@ -168,18 +169,18 @@ inline void RandomMove(MotionCore& core, size_t axis, RandomNumbers& random) {
       profile.trap.velocity = random.Between(0.5, 40);
       profile.trap.target = random.Below(20'000) - 10'000;
   }
-  core.StartProfile(axis);
+  core.ProfileAt(axis).Start();
 }
 
 /// Lines with buffered outputs and delays through a coordinate system of the first two axes.
 inline void RandomPath(MotionCore& core, RandomNumbers& random) {
-  MotionState& state = core.state();
+  MotionState& state = ChangeState(core);
   if (state.profiles[0].now.moving || state.profiles[1].now.moving) return;
   if (state.crds[0].run.running) return;
   CrdParameters parameters{.dimension = 2, .profile = {1, 2}};
   parameters.velocity_max = 1000;
   parameters.acceleration_max = 100;
-  core.SetUpCrd(0, parameters);
+  core.CrdAt(0).SetUp(parameters);
   Coordinates end = core.CrdPosition(0);
   for (int i = 0; i < 12; ++i) {
     PathSlot slot;
@@ -202,21 +203,21 @@ inline void RandomPath(MotionCore& core, RandomNumbers& random) {
       slot.acceleration = random.Between(0.1, 2);
       slot.end_velocity = random.OneIn(2) ? slot.velocity / 2 : 0;
     }
-    core.AppendToCrd(0, 0, slot);
+    core.CrdAt(0).Append(0, slot);
   }
-  core.StartCrd(0, 0, false);
+  core.CrdAt(0).Start(0, false);
 }
 
 /// Switches the input shaper of an axis at rest on or off.
 inline void RandomShaper(MotionCore& core, size_t axis, RandomNumbers& random) {
   if (core.AxisMoving(core.state().axes[axis]) || !core.ShaperSettled(axis)) return;
   const auto count = static_cast<size_t>(random.OneIn(4) ? 0 : 1 + random.Below(100));
-  core.SetInputShaper(axis, count, random.Between(0.25, 1));
+  core.AxisAt(axis).SetInputShaper(count, random.Between(0.25, 1));
 }
 
 /// Ends faults and what they have latched, so that a long run does not end with a card at rest.
 inline void Repair(MotionCore& core) {
-  MotionState& state = core.state();
+  MotionState& state = ChangeState(core);
   state.encoder_faults.fill({});
   state.compensations.fill({});
   state.compensates = false;
@@ -227,15 +228,15 @@ inline void Repair(MotionCore& core) {
     state.axes[i].soft_positive = kNoPositiveLimit;
     state.axes[i].soft_negative = kNoNegativeLimit;
     state.axes[i].positive_limit_on = false;
-    core.RebaseEncoder(i);
-    core.ClearStatus(i);
-    if (!state.axes[i].servo_on) core.ServoOn(i);
+    core.EncoderAt(i).Rebase();
+    core.AxisAt(i).ClearStatus();
+    if (!state.axes[i].servo_on) core.AxisAt(i).ServoOn();
   }
 }
 
 /// One command of a host.
 inline void RandomCommand(MotionCore& core, RandomNumbers& random) {
-  MotionState& state = core.state();
+  MotionState& state = ChangeState(core);
   const auto axis = static_cast<size_t>(random.Below(core.config().axis_count));
   Axis& chosen = state.axes[axis];
   switch (random.Below(16)) {
@@ -244,13 +245,13 @@ inline void RandomCommand(MotionCore& core, RandomNumbers& random) {
       Repair(core);
       break;
     case 0:
-      core.StopCommanded(axis, random.OneIn(2));
+      core.AxisAt(axis).Stop(random.OneIn(2));
       break;
     case 1:
-      core.ClearStatus(axis);
+      core.AxisAt(axis).ClearStatus();
       break;
     case 2:
-      chosen.servo_on ? core.ServoOff(axis) : core.ServoOn(axis);
+      chosen.servo_on ? core.AxisAt(axis).ServoOff() : core.AxisAt(axis).ServoOn();
       break;
     case 3:
       chosen.soft_positive = random.OneIn(2) ? 6000 : kNoPositiveLimit;
@@ -266,7 +267,8 @@ inline void RandomCommand(MotionCore& core, RandomNumbers& random) {
       break;
     case 6:
       if (random.OneIn(3)) return RandomShaper(core, axis, random);
-      core.SetBacklash(axis, {.value = random.OneIn(3) ? random.Below(30) : 0, .change = 0.5});
+      core.AxisAt(axis).SetBacklash(
+          {.value = random.OneIn(3) ? random.Below(30) : 0, .change = 0.5});
       break;
     case 7:
       RandomPath(core, random);

@@ -8,6 +8,7 @@
 
 #include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/profile_run.h"
 
 namespace oncard::motion {
@@ -158,13 +159,13 @@ TEST_F(SCurve, GoesOnDuringAStopWithoutItsDeceleration) {
 
 TEST(SCurveOnACard, StopsSmoothlyAsItPlansIt) {
   MotionCore core({});
-  Profile& profile = core.state().profiles[0];
+  Profile& profile = ChangeState(core).profiles[0];
   profile.mode = ProfileMode::kSCurve;
   profile.s_curve.limits = {.velocity = 50, .acceleration = 0.5, .jerk = 0.01};
   profile.s_curve.target = 20000;
-  core.StartProfile(0);
+  core.ProfileAt(0).Start();
   core.Advance(275 * 4);
-  core.StopProfile(0, false);
+  core.ProfileAt(0).Stop(false);
   core.Advance(149 * 4);
   EXPECT_TRUE(core.profile(0).now.moving);
   core.Advance(4);

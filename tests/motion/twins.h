@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/random_world.h"
 
 namespace oncard::motion {
@@ -43,7 +44,7 @@ class Twins {
     for (int64_t i = 0; i < cycles; ++i) ticks_->Tick();
     for (int64_t done = 0; done < cycles;) {
       done += lanes_->Advance(cycles - done);
-      if (!lanes_->part<&MotionState::reached>().empty()) lanes_->state().reached.clear();
+      if (!lanes_->part<&MotionState::reached>().empty()) lanes_->ClearReached();
     }
   }
   void ExpectEqual() {
@@ -66,14 +67,14 @@ class Twins {
 inline std::unique_ptr<MotionCore> ServoCard() {
   auto core = std::make_unique<MotionCore>(MotionConfig{.axis_count = 12});
   for (size_t i = 0; i < core->axis_count(); ++i) {
-    core->state().drives[i] = VelocityDrive(100, 2, 0, core->config().ServoMs());
-    core->state().controls[i].sets[0] = {.kp = 20, .kvff = 300};
-    core->SetClosedLoop(i, true);
-    core->ServoOn(i);
-    Profile& profile = core->state().profiles[i];
+    core->ConnectDrive(i, VelocityDrive(100, 2, 0, core->config().ServoMs()));
+    ChangeState(*core).controls[i].sets[0] = {.kp = 20, .kvff = 300};
+    core->AxisAt(i).SetClosedLoop(true);
+    core->AxisAt(i).ServoOn();
+    Profile& profile = ChangeState(*core).profiles[i];
     profile.mode = ProfileMode::kJog;
     profile.jog.velocity = 10 + static_cast<double>(i);
-    core->StartProfile(i);
+    core->ProfileAt(i).Start();
   }
   return core;
 }

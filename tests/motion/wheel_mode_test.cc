@@ -10,6 +10,7 @@
 
 #include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/constraint_checker.h"
 #include "tests/motion/core_run.h"
 
@@ -153,23 +154,23 @@ TEST(HandWheel, OnACardTheAuxiliaryEncoderTurnsAnAxisUntilItIsStopped) {
   // 5 pulse/ms from 10 to 110 ms.
   Happen(core, {{10'000, WorldEventKind::kHand, kWheelEncoder, 0, 5},
                 {110'000, WorldEventKind::kHand, kWheelEncoder, 0, 0}});
-  Profile& profile = core.state().profiles[1];
+  Profile& profile = ChangeState(core).profiles[1];
   profile.mode = ProfileMode::kWheel;
   profile.wheel.master = {true, MasterType::kEncoder, kWheelEncoder, false};
   profile.wheel.ratio = -3;
   profile.wheel.limits = kLimits;
   profile.wheel.cycle = kWheelCycle;
-  core.StartProfile(1);
+  core.ProfileAt(1).Start();
   Ticks(core, 4 * 60);
   EXPECT_LT(core.profile(1).now.position, 0);
   Ticks(core, 4 * 100);
   const double counted = core.encoder(kWheelEncoder).position;
   EXPECT_NEAR(counted, 500, 1.5);
   ExpectRestsAt(core.profile(1).now, -3 * counted);
-  core.SetEncoderPosition(kWheelEncoder, 0);
+  core.EncoderAt(kWheelEncoder).SetPosition(0);
   Ticks(core, 10);
   ExpectRestsAt(core.profile(1).now, -3 * counted);
-  core.StopProfile(1, true);
+  core.ProfileAt(1).Stop(true);
   EXPECT_EQ(core.profile(1).now, AtRest(-3 * counted));
 }
 

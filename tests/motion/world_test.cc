@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 #include "tests/motion/core_run.h"
 
 namespace oncard::motion {
@@ -30,9 +31,8 @@ TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
 
 TEST(PowerOn, TheFirstCallSeesTheWorldOfInstantZero) {
   MotionCore core({});
-  core.state().switches.push_back({.type = DiType::kHome, .bit = 4, .first = 0, .last = 10});
-  core.state().switches.push_back(
-      {.type = DiType::kHome, .bit = 5, .first = 5, .last = 10, .active_low = true});
+  core.AddSwitch({.type = DiType::kHome, .bit = 4, .first = 0, .last = 10});
+  core.AddSwitch({.type = DiType::kHome, .bit = 5, .first = 5, .last = 10, .active_low = true});
   const auto pin = [](DiType type, uint16_t bit) {
     return WorldEvent{.item = static_cast<uint8_t>(type), .index = bit, .value = 1};
   };
@@ -69,7 +69,7 @@ TEST(WorldEvent, EventsOfOneInstantActInTheirOrder) {
 
 TEST(WorldEvent, EachKindActsOnItsPart) {
   MotionCore core({});
-  core.state().switches.push_back({});
+  core.AddSwitch({});
   Happen(core, {{.kind = WorldEventKind::kPin, .item = 3, .index = 1, .value = 1},
                 {.kind = WorldEventKind::kModuleInputs, .item = 4, .value = 65535},
                 {.kind = WorldEventKind::kModuleVoltage, .item = 5, .index = 6, .value = -2.5},
@@ -88,12 +88,12 @@ TEST(WorldState, ResetClearsTheCardAndLeavesTheWorldAlone) {
   Happen(core, {{.kind = WorldEventKind::kAdc, .value = 3},
                 {.kind = WorldEventKind::kModuleVoltage, .value = 4},
                 {.kind = WorldEventKind::kStall, .item = 1, .value = 1}});
-  core.state().adcs[0].filter = 100;
+  ChangeState(core).adcs[0].filter = 100;
   core.Tick();
-  core.state().modules[0].outputs = 7;
-  core.state().modules[0].output_volts[1] = 1;
-  core.state().modules[9].present = false;
-  core.state().dacs[0].value = 5;
+  ChangeState(core).modules[0].outputs = 7;
+  ChangeState(core).modules[0].output_volts[1] = 1;
+  ChangeState(core).modules[9].present = false;
+  ChangeState(core).dacs[0].value = 5;
   core.Reset();
   EXPECT_EQ(core.state().adcs[0].Volts(), Adc({.volts = 3, .filtered = 3}).Volts());
   EXPECT_EQ(core.state().adcs[0].filter, 0);
@@ -108,7 +108,7 @@ TEST(WorldState, ResetClearsTheCardAndLeavesTheWorldAlone) {
 TEST(WorldState, AMotorMovedByHandStaysWhereItIsPut) {
   MotionCore core({});
   core.PlaceMotor(0, -500);
-  core.ServoOn(0);
+  core.AxisAt(0).ServoOn();
   core.Tick();
   EXPECT_EQ(core.state().plants[0].position, -500);
   EXPECT_EQ(core.state().encoders[0].position, 0);

@@ -9,6 +9,7 @@
 
 #include "gtcalls/gts/family.h"
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::runtime {
 namespace {
@@ -25,14 +26,14 @@ struct TalkingCard {
       EXPECT_EQ(message.zh.empty(), message.en.empty());
       said.push_back(message.en);
     });
-    for (const size_t axis : {size_t{0}, size_t{1}}) core.ServoOn(axis);
+    for (const size_t axis : {size_t{0}, size_t{1}}) core.AxisAt(axis).ServoOn();
   }
   void Jog(size_t profile, double velocity) {
-    motion::Profile& jogging = core.state().profiles[profile];
+    motion::Profile& jogging = ChangeState(core).profiles[profile];
     jogging.mode = motion::ProfileMode::kJog;
     jogging.jog.parameters = {1000, 1000, 0};
     jogging.jog.velocity = velocity;
-    core.StartProfile(profile);
+    core.ProfileAt(profile).Start();
   }
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) core.Tick();
@@ -43,7 +44,7 @@ struct TalkingCard {
     parameters.profile = {1, 2};
     parameters.velocity_max = 1000;
     parameters.acceleration_max = 100;
-    core.SetUpCrd(0, parameters);
+    core.CrdAt(0).SetUp(parameters);
   }
   bool Line(const motion::Coordinates& end, double end_velocity) {
     motion::PathSlot slot;
@@ -52,7 +53,7 @@ struct TalkingCard {
     slot.velocity = 100;
     slot.acceleration = 1;
     slot.end_velocity = end_velocity;
-    return core.AppendToCrd(0, 0, slot);
+    return core.CrdAt(0).Append(0, slot);
   }
 
   MotionCore core{{.axis_count = 8, .cycle_us = 1000}};
@@ -63,12 +64,12 @@ using Lines = std::vector<std::string>;
 
 TEST(CardEvent, ASoftLimitIsSaidOnce) {
   TalkingCard card;
-  card.core.state().axes[0].soft_positive = 95;
+  ChangeState(card.core).axes[0].soft_positive = 95;
   card.Jog(0, 10);
   card.Ticks(100);
   EXPECT_EQ(card.said, (Lines{"axis 1 passed its positive soft limit 95 at 99.95: no motion in "
                               "that direction until GT_ClrSts"}));
-  card.core.state().axes[1].soft_negative = -5;
+  ChangeState(card.core).axes[1].soft_negative = -5;
   card.said.clear();
   card.Jog(1, -1000);
   card.Ticks(10);
@@ -95,9 +96,9 @@ TEST(CardEvent, InputsThatStopAnAxis) {
        "axis 1 was stopped by its abrupt stop input at 0: no motion until GT_ClrSts"}};
   for (const Case& c : cases) {
     TalkingCard card;
-    card.core.state().axes[0].smooth_stop = {motion::DiType::kGpi, 0};
-    card.core.state().axes[0].abrupt_stop = {motion::DiType::kArrive, 0};
-    card.core.state().io.SetPin(c.type, 0, true);
+    ChangeState(card.core).axes[0].smooth_stop = {motion::DiType::kGpi, 0};
+    ChangeState(card.core).axes[0].abrupt_stop = {motion::DiType::kArrive, 0};
+    card.core.digital_io().SetPin(c.type, 0, true);
     card.Ticks(10);
     EXPECT_EQ(card.said, Lines{std::string(c.line)});
   }
@@ -105,16 +106,16 @@ TEST(CardEvent, InputsThatStopAnAxis) {
 
 TEST(CardEvent, AFollowingErrorAndASkew) {
   TalkingCard card;
-  card.core.state().controls[0].error_limit = 25;
-  card.core.state().plants[0].stalled = true;
+  card.core.ControlAt(0).SetErrorLimit(25);
+  ChangeState(card.core).plants[0].stalled = true;
   card.Jog(0, 1000);
   card.Ticks(5);
   EXPECT_EQ(card.said, (Lines{"axis 1 has a following error of 500, its limit is 25 "
                               "(GT_SetPosErr): the drive is switched off"}));
   TalkingCard gantry;
   gantry.core.EnableGantry(0, 1, 0, 0);
-  gantry.core.state().gantry.error_limit = 20;
-  gantry.core.state().plants[1].stalled = true;
+  gantry.core.SetGantryErrorLimit(20);
+  ChangeState(gantry.core).plants[1].stalled = true;
   gantry.Jog(0, 1000);
   gantry.Ticks(5);
   EXPECT_EQ(gantry.said, (Lines{"the gantry of axis 1 has a skew of -500, its limit is 20 "
@@ -123,11 +124,11 @@ TEST(CardEvent, AFollowingErrorAndASkew) {
 
 TEST(CardEvent, ASlaveThatIsHeld) {
   TalkingCard card;
-  card.core.state().axes[1].latched = motion::kPositiveLimitBit;
-  motion::Profile& slave = card.core.state().profiles[1];
+  ChangeState(card.core).axes[1].latched = motion::kPositiveLimitBit;
+  motion::Profile& slave = ChangeState(card.core).profiles[1];
   slave.mode = motion::ProfileMode::kGear;
   slave.gear.master = {true, motion::MasterType::kProfile, 0, false};
-  card.core.StartProfile(1);
+  card.core.ProfileAt(1).Start();
   card.Jog(0, 10);
   card.Ticks(10);
   EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it would move towards a latched limit"}));
@@ -137,22 +138,22 @@ TEST(CardEvent, APathThatRunsDryAndAPathThatWaits) {
   TalkingCard card;
   card.SetUpPath();
   ASSERT_TRUE(card.Line({1000, 0}, 5));
-  card.core.StartCrd(0, 0, false);
+  card.core.CrdAt(0).Start(0, false);
   card.Ticks(200);
   EXPECT_EQ(
       card.said,
       (Lines{"coordinate system 1 stops at once from 5 pulse/ms: the FIFO is empty and velEnd of "
              "the last segment is not 0, append segments sooner or end with velEnd 0"}));
   card.said.clear();
-  card.core.ServoOn(4);
+  card.core.AxisAt(4).ServoOn();
   motion::PathSlot move;
   move.command = {motion::BufferedKind::kMove, 4, 1, {1000, 10, 1}};
-  ASSERT_TRUE(card.core.AppendToCrd(0, 0, move));
-  card.core.StartCrd(0, 0, false);
+  ASSERT_TRUE(card.core.CrdAt(0).Append(0, move));
+  card.core.CrdAt(0).Start(0, false);
   card.Ticks(20);
   const double place = card.core.state().profiles[4].now.position;
-  card.core.state().profiles[4].abrupt_stop = 1e9;
-  card.core.StopProfile(4, true);
+  ChangeState(card.core).profiles[4].abrupt_stop = 1e9;
+  card.core.ProfileAt(4).Stop(true);
   card.Ticks(2);
   EXPECT_EQ(card.said.size(), 1u);
   EXPECT_EQ(card.said.at(0).substr(0, 67),
@@ -165,11 +166,11 @@ TEST(CardEvent, AnAxisThatAPathMovesWhileItsDriveIsOff) {
   card.SetUpPath();
   motion::PathSlot command;
   command.command = {motion::BufferedKind::kMove, 4, 0, {1000, 10, 1}};
-  ASSERT_TRUE(card.core.AppendToCrd(0, 0, command));
+  ASSERT_TRUE(card.core.CrdAt(0).Append(0, command));
   command.command = {motion::BufferedKind::kGear, 5, 0, {1000}};
-  ASSERT_TRUE(card.core.AppendToCrd(0, 0, command));
+  ASSERT_TRUE(card.core.CrdAt(0).Append(0, command));
   ASSERT_TRUE(card.Line({1000, 0}, 0));
-  card.core.StartCrd(0, 0, false);
+  card.core.CrdAt(0).Start(0, false);
   card.Ticks(200);
   EXPECT_EQ(card.said, (Lines{"GT_BufMove or GT_BufGear of coordinate system 1 moves axis 5 while "
                               "its drive is off, call GT_AxisOn first",
@@ -180,10 +181,7 @@ TEST(CardEvent, AnAxisThatAPathMovesWhileItsDriveIsOff) {
 TEST(CardEvent, WhatLookAheadDoes) {
   TalkingCard card;
   card.SetUpPath();
-  motion::PathLimits limits;
-  limits.rule = {motion::JointRule::kCorners, 1};
-  limits.corner_time = 5;
-  card.core.state().crds[0].fifos[0].planner.Emplace({.limits = limits, .capacity = 2});
+  card.core.CrdAt(0).BeginLookAhead(0, 5, 1, 2);
   ASSERT_TRUE(card.Line({1000, 0}, 0));
   EXPECT_TRUE(card.said.empty());
   // A right angle: 1 * 5 / (2 sin 45 degrees).
@@ -196,7 +194,7 @@ TEST(CardEvent, WhatLookAheadDoes) {
   ASSERT_TRUE(card.Line({1000, 3000}, 0));
   ASSERT_EQ(card.said.size(), 1u);
   // One segment has been passed to the FIFO, two are still in the look-ahead buffer.
-  card.core.StartCrd(0, 0, false);
+  card.core.CrdAt(0).Start(0, false);
   card.Ticks(500);
   ASSERT_EQ(card.said.size(), 2u);
   EXPECT_EQ(card.said[1],
@@ -209,7 +207,7 @@ TEST(CardEvent, WhatTheMultiAxisLookAheadDoes) {
   card.SetUpPath();
   motion::PathLimits limits;
   limits.corner_time = 5;
-  card.core.state().crds[0].fifos[0].planner.Emplace({.limits = limits, .capacity = 20});
+  ChangeState(card.core).crds[0].fifos[0].planner.Emplace({.limits = limits, .capacity = 20});
   ASSERT_TRUE(card.Line({1000, 0}, 0));
   ASSERT_TRUE(card.Line({2000, 0}, 0));
   EXPECT_TRUE(card.said.empty());
@@ -230,13 +228,13 @@ TEST(CardEvent, AdvisesCommandsOfTheFamily) {
 TEST(CardEvent, IsNoPartOfTheState) {
   TalkingCard card;
   MotionCore silent({.axis_count = 8, .cycle_us = 1000});
-  for (const size_t axis : {size_t{0}, size_t{1}}) silent.ServoOn(axis);
+  for (const size_t axis : {size_t{0}, size_t{1}}) silent.AxisAt(axis).ServoOn();
   for (MotionCore* core : {&card.core, &silent}) {
-    core->state().axes[0].soft_positive = 95;
-    motion::Profile& jogging = core->state().profiles[0];
+    ChangeState(*core).axes[0].soft_positive = 95;
+    motion::Profile& jogging = ChangeState(*core).profiles[0];
     jogging.mode = motion::ProfileMode::kJog;
     jogging.jog.velocity = 10;
-    core->StartProfile(0);
+    core->ProfileAt(0).Start();
     for (int i = 0; i < 100; ++i) core->Tick();
   }
   EXPECT_FALSE(card.said.empty());

@@ -11,6 +11,7 @@
 #include "runtime/host/call_log.h"
 #include "test_programs.h"
 #include "tests/compiler/memory_files.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::runtime {
 namespace {
@@ -263,7 +264,7 @@ loop:
   goto loop;
 }
 )");
-  motion::DigitalIo& io = card.controller.motion().state().io;
+  motion::DigitalIo& io = ChangeState(card.controller.motion()).io;
   io.SetFilterTicks(motion::DiType::kGpi, 0, 1);
   io.SetPin(motion::DiType::kGpi, 0, false);
   ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
@@ -364,17 +365,17 @@ TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
   motion::CrdParameters parameters;
   parameters.dimension = 2;
   parameters.profile = {1, 2};
-  motion.SetUpCrd(0, parameters);
+  motion.CrdAt(0).SetUp(parameters);
   motion::PathSlot delay;
   delay.command = {.kind = motion::BufferedKind::kDelay, .values = {5}};
   motion::PathSlot write;
   write.command = gtcalls::gts::EncodeValue(
       {.target = gtcalls::gts::ValueTarget::kProgram, .value = 1, .slot = card.Global("go")});
   gtcalls::gts::ReserveValues(motion);
-  ASSERT_TRUE(motion.AppendToCrd(0, 0, delay));
-  ASSERT_TRUE(motion.AppendToCrd(0, 0, write));
+  ASSERT_TRUE(motion.CrdAt(0).Append(0, delay));
+  ASSERT_TRUE(motion.CrdAt(0).Append(0, write));
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock) << "before it is started";
-  motion.StartCrd(0, 0, false);
+  motion.CrdAt(0).Start(0, false);
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kQuiet);
   EXPECT_EQ(card.Read("go"), 1);
   // Values that have been written are not written again.
@@ -408,9 +409,9 @@ TEST(RunUntilQuietTest, APlcBlockCanStillHelp) {
       {gtcalls::gts::kGlobalVariables, card.Global("go").id,
        gtcalls::gts::DiBlock{motion::DiType::kGpi, 0, false}}));
   EXPECT_EQ(card.controller.RunUntilQuiet(100), RunEnd::kTimeLimit);
-  card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 0, true);
+  card.controller.motion().digital_io().SetPin(motion::DiType::kGpi, 0, true);
   const RunEnd high = card.controller.RunUntilQuiet(100);
-  card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 0, false);
+  card.controller.motion().digital_io().SetPin(motion::DiType::kGpi, 0, false);
   const RunEnd low = card.controller.RunUntilQuiet(100);
   EXPECT_TRUE(high == RunEnd::kQuiet || low == RunEnd::kQuiet);  // whichever level reads 1
 }
@@ -483,7 +484,7 @@ TEST(ControllerStateTest, TheHashCoversEveryPart) {
   changes_the_hash("variable", [&] { card.SetLocal(31, 1023, 1); });
   changes_the_hash("thread", [&] { card.controller.machine().Bind(31, 1, 31); });
   changes_the_hash(
-      "pin", [&] { card.controller.motion().state().io.SetPin(motion::DiType::kMpg, 0, true); });
+      "pin", [&] { card.controller.motion().digital_io().SetPin(motion::DiType::kMpg, 0, true); });
   changes_the_hash("block", [&] {
     card.controller.card().state<gtcalls::GtsState>().plc.Bind(
         {gtcalls::gts::kGlobalVariables, 0, gtcalls::gts::DiBlock{}});
@@ -510,7 +511,7 @@ TEST(ControllerStateTest, ResetIsAPowerOnThatKeepsTheWorld) {
   card.Run(0, 0);
   card.controller.card().state<gtcalls::GtsState>().plc.Bind(
       {gtcalls::gts::kGlobalVariables, 0, gtcalls::gts::DiBlock{}});
-  card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 3, true);
+  card.controller.motion().digital_io().SetPin(motion::DiType::kGpi, 3, true);
   const uint32_t pins = card.controller.motion().state().io.Pins(motion::DiType::kGpi);
   card.controller.AdvanceUs(10'000);
   card.controller.Reset();
@@ -561,7 +562,7 @@ TEST(ControllerTest, AStopOfTheCardIsLoggedWithItsInstant) {
   testing::internal::CaptureStderr();
   CallLog log("calls", Language::kChinese);
   controller.LogEvents(&log, 1);
-  controller.motion().state().axes[2].soft_negative = 10;
+  ChangeState(controller.motion()).axes[2].soft_negative = 10;
   controller.AdvanceUs(500);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "0.250 card1: 轴 3 在 0 处越过负软限位 10：调用 GT_ClrSts 前不能向该方向运动\n");

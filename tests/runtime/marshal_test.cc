@@ -122,7 +122,7 @@ TEST(MarshalTest, TheCountIsCheckedBeforeMemoryIsTouched) {
 
 TEST(MarshalTest, CaptureOffsetsAreAsManyAsTheListHas) {
   Controller controller;
-  controller.card().motion.state().capture.SetOffsets(1, {10, -20, 30}, 1);
+  controller.card().motion.capture().SetOffsets(1, {10, -20, 30}, 1);
   const gtcalls::Command& command = CommandNamed("GT_GetCaptureOffset");
   struct Case {
     int encoder;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/files.h"
+#include "tests/motion/change_state.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -21,7 +22,7 @@ class MotionValuesTest : public testing::Test {
     EXPECT_TRUE(found.ok()) << name;
     return found.ok() ? ReadQuantity(found.value().front(), controller_) : -1;
   }
-  motion::MotionState& state() { return controller_.motion().state(); }
+  motion::MotionState& state() { return ChangeState(controller_.motion()); }
   static constexpr const char* kProgram = "int f()\n{\n  return 0;\n}\n";
   Controller controller_;
 };

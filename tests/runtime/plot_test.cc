@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/scenario/run/scenario_card.h"
+#include "tests/motion/change_state.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -17,7 +18,7 @@ class PlotTest : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(controller_.Load(CompileForTest(kIdle)).ok()); }
 
-  motion::MotionState& state() { return controller_.motion().state(); }
+  motion::MotionState& state() { return ChangeState(controller_.motion()); }
 
   // Another cycle, which ends with these positions.
   void Cycle(double first, double second) {
@@ -124,7 +125,7 @@ TEST(PlotOfADrive, NamesItsStatesModesAndPhasesOfHoming) {
           .value();
   Controller controller(CardOptions(scenario));
   ApplyWorld(scenario, &controller);
-  motion::bus::Bus& bus = controller.motion().state().bus->line;
+  motion::bus::Bus& bus = ChangeState(controller.motion()).bus->line;
   ASSERT_EQ(bus.Init(0), motion::bus::InitOutcome::kDone);
   std::vector<TraceColumn> columns;
   for (const char* name : {"drive1.state", "drive2.state", "drive1.mode"}) {

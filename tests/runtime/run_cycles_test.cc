@@ -100,8 +100,8 @@ const gtcalls::Family& PeriodicFamily() {
     family.after_tick = [](gtcalls::Card& card) {
       const int64_t cycle = card.motion.cycle();
       if (cycle % 10 != 0) return;
-      card.motion.SetVelocity(0, static_cast<double>(cycle % 70));
-      card.motion.StartProfile(0);
+      card.motion.ProfileAt(0).SetVelocity(static_cast<double>(cycle % 70));
+      card.motion.ProfileAt(0).Start();
     };
     family.cycles_before_act = [](const gtcalls::CardView& card) {
       return 9 - card.motion.cycle() % 10;
@@ -117,10 +117,10 @@ TEST(RunCyclesOfAFamily, PassOnlyCyclesInWhichItDoesNotAct) {
   Controller one(options);
   Controller many(options);
   for (Controller* card : {&one, &many}) {
-    card->motion().ServoOn(0);
-    motion::Profile& profile = card->motion().state().profiles[0];
-    profile.mode = motion::ProfileMode::kJog;
-    profile.jog.parameters = {.acc = 1, .dec = 1};
+    card->motion().AxisAt(0).ServoOn();
+    const motion::ProfileHandle profile = card->motion().ProfileAt(0);
+    profile.SelectMode(motion::ProfileMode::kJog);
+    profile.SetParameters(motion::JogParameters{.acc = 1, .dec = 1});
   }
   for (const int64_t chunk : {1, 2, 13, 400, 3, 4000, 77}) {
     for (int64_t i = 0; i < chunk; ++i) one.RunCycle();

@@ -5,6 +5,7 @@
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/world/bus_setup.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::runtime {
 namespace {
@@ -44,7 +45,7 @@ class BusOfScenario {
   void RunUntilMs(double ms) {
     while (controller_.NowMs() < ms) controller_.RunCycle();
   }
-  motion::MotionState& state() { return controller_.motion().state(); }
+  motion::MotionState& state() { return ChangeState(controller_.motion()); }
   motion::bus::Bus& bus() { return state().bus->line; }
   Controller& controller() { return controller_; }
 
@@ -118,7 +119,7 @@ TEST(ScenarioBus, ASlaveCanHaveNoProcessData) {
 TEST(ScenarioBus, ConditionsNameItsDrives) {
   BusOfScenario card("[[ethercat.slave]]\n[[ethercat.slave]]\naxis = 3\n");
   card.Up();
-  card.controller().motion().ServoOn(2);
+  card.controller().motion().AxisAt(2).ServoOn();
   card.RunUntilMs(155);
   const auto value = [&](const std::string& name) {
     const auto found = ResolveQuantity(name, card.controller());
@@ -236,7 +237,7 @@ lost_at_ms = 400
 TEST(ScenarioBus, SnapshotsHoldTheBus) {
   BusOfScenario card("[[ethercat.slave]]\n");
   card.Up();
-  card.controller().motion().ServoOn(0);
+  card.controller().motion().AxisAt(0).ServoOn();
   card.RunUntilMs(200);
   const ControllerSnapshot snapshot = card.controller().Snapshot();
   card.controller().RunCycles(100);

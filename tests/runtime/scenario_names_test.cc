@@ -96,7 +96,7 @@ TEST_F(QuantityTest, SaysWhatIsWrongWithAName) {
 TEST_F(QuantityTest, ReadsValues) {
   controller_.machine().Write({true, 0, 0, vm::DataType::kInt}, -7);
   EXPECT_EQ(ReadQuantity(ResolveQuantity("sum", controller_).value()[0], controller_), -7);
-  controller_.motion().state().io.Write(motion::DoType::kEnable, 0x3, 0x2);
+  controller_.motion().digital_io().Write(motion::DoType::kEnable, 0x3, 0x2);
   EXPECT_EQ(ReadQuantity(ResolveQuantity("enable", controller_).value()[0], controller_), 2);
   EXPECT_EQ(ReadQuantity(ResolveQuantity("enable[2]", controller_).value()[0], controller_), 1);
   EXPECT_EQ(ReadQuantity(ResolveQuantity("enable[1]", controller_).value()[0], controller_), 0);

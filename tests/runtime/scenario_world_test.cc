@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/scenario/run/scenario_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::runtime {
 namespace {
@@ -71,16 +72,16 @@ class WorldCard {
       : scenario_(ParsedWorld("program = \"x.c\"\n" + world)), controller_(CardOptions(scenario_)) {
     ApplyWorld(scenario_, &controller_);
   }
-  motion::MotionState& state() { return controller_.motion().state(); }
+  motion::MotionState& state() { return ChangeState(controller_.motion()); }
   uint32_t conditions() { return controller_.motion().Conditions(0); }
   /// Enables axis 1 and starts a jog.
   void Jog(double velocity) {
-    controller_.motion().ServoOn(0);
+    controller_.motion().AxisAt(0).ServoOn();
     motion::Profile& profile = state().profiles[0];
     profile.mode = motion::ProfileMode::kJog;
     profile.jog.parameters = {.acc = 1, .dec = 1};
     profile.jog.velocity = velocity;
-    controller_.motion().StartProfile(0);
+    controller_.motion().ProfileAt(0).Start();
   }
   void RunUntil(double ms) {
     while (controller_.NowMs() < ms) controller_.RunCycle();

@@ -100,23 +100,23 @@ std::vector<std::string> WarningsOfPath(const motion::BufferedCommand& command,
   Controller controller;
   Supervisor supervisor(&controller);
   motion::MotionCore& core = controller.motion();
-  for (const size_t axis : on) core.ServoOn(axis);
+  for (const size_t axis : on) core.AxisAt(axis).ServoOn();
   motion::CrdParameters parameters;
   parameters.dimension = 2;
   parameters.profile = {1, 2};
   parameters.velocity_max = 100;
   parameters.acceleration_max = 10;
-  core.SetUpCrd(0, parameters);
+  core.CrdAt(0).SetUp(parameters);
   motion::PathSlot slot;
   slot.command = command;
-  EXPECT_TRUE(core.AppendToCrd(0, 0, slot));
+  EXPECT_TRUE(core.CrdAt(0).Append(0, slot));
   slot = {};
   slot.is_segment = true;
   slot.segment = *motion::MakeLine({}, {100, 0});
   slot.velocity = 10;
   slot.acceleration = 1;
-  EXPECT_TRUE(core.AppendToCrd(0, 0, slot));
-  core.StartCrd(0, 0, false);
+  EXPECT_TRUE(core.CrdAt(0).Append(0, slot));
+  core.CrdAt(0).Start(0, false);
   controller.RunCycles(200);
   std::vector<std::string> texts;
   for (const CardFinding& finding : supervisor.findings()) {

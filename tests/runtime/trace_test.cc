@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "tests/motion/change_state.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -63,10 +64,10 @@ TEST(Trace, ShowsInputsAndOutputsThatChange) {
 Trace MovingAxis() {
   Controller controller;
   EXPECT_TRUE(controller.Load(CompileForTest("int f()\n{\n  return 0;\n}\n")).ok());
-  controller.motion().ServoOn(2);
+  controller.motion().AxisAt(2).ServoOn();
   Trace trace(DefaultColumns(controller));
   trace.Sample(controller);
-  motion::Profile& profile = controller.motion().state().profiles[2];
+  motion::Profile& profile = ChangeState(controller.motion()).profiles[2];
   profile.trap.target = 4;
   profile.trap.velocity = 2;
   profile.trap.parameters = {4, 4, 0, 0};  // 0.5 ms up, 1.5 ms at 2, 0.5 ms down
@@ -162,8 +163,8 @@ TEST(Trace, WritesTheSignOfAZero) {
   Trace trace(std::move(columns));
   for (const auto& [first, second] : {std::pair{0.0, 1.0}, {-0.0, 2.0}, {0.0, 3.0}}) {
     controller.RunCycle();
-    controller.motion().state().axes[0].profile.position = first;
-    controller.motion().state().axes[1].profile.position = second;
+    ChangeState(controller.motion()).axes[0].profile.position = first;
+    ChangeState(controller.motion()).axes[1].profile.position = second;
     trace.Sample(controller);
   }
   EXPECT_EQ(Csv(trace),

@@ -1,7 +1,6 @@
 // Axes: inputs, outputs, drives, events, positions. Source: GE manual chapters 3, 4.1, 6.7.2 and
 // 12. Tested by tests/gtcalls/ge/axis_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 #include "gtcalls/ge/status_words.h"
 
 namespace oncard::gtcalls::ge {
@@ -30,21 +29,21 @@ int16_t GT_GetCmdSts(Call& call) {
 // --- Inputs ----------------------------------------------------------------------------------
 
 int16_t GT_AlarmOn(Call& call) {
-  ChangeAxis(call.card, AxisOf(call)).alarm_on = true;
+  call.card.motion.AxisAt(AxisOf(call)).SwitchAlarm(true);
   return vm::kOk;
 }
 
 int16_t GT_AlarmOff(Call& call) {
-  ChangeAxis(call.card, AxisOf(call)).alarm_on = false;
+  call.card.motion.AxisAt(AxisOf(call)).SwitchAlarm(false);
   return vm::kOk;
 }
 
 namespace {
 
 int16_t SwitchLimits(Call& call, bool on) {
-  motion::Axis& axis = ChangeAxis(call.card, AxisOf(call));
-  axis.positive_limit_on = on;
-  axis.negative_limit_on = on;
+  const motion::AxisHandle axis = call.card.motion.AxisAt(AxisOf(call));
+  axis.SwitchPositiveLimit(on);
+  axis.SwitchNegativeLimit(on);
   return vm::kOk;
 }
 
@@ -61,14 +60,14 @@ int16_t GT_LmtSns(Call& call) {
     positive |= (sense >> (2 * axis) & 1) << axis;
     negative |= (sense >> (2 * axis + 1) & 1) << axis;
   }
-  ChangeIo(call.card).SetInverted(DiType::kLimitPositive, positive);
-  ChangeIo(call.card).SetInverted(DiType::kLimitNegative, negative);
+  call.card.motion.digital_io().SetInverted(DiType::kLimitPositive, positive);
+  call.card.motion.digital_io().SetInverted(DiType::kLimitNegative, negative);
   return vm::kOk;
 }
 
 int16_t GT_EncSns(Call& call) {
   for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-    call.card.motion.SetEncoderSense(axis, (call.integer(0) >> axis & 1) != 0);
+    call.card.motion.EncoderAt(axis).SetSense((call.integer(0) >> axis & 1) != 0);
   }
   return vm::kOk;
 }
@@ -77,7 +76,7 @@ namespace {
 
 int16_t SwitchEncoder(Call& call, bool external) {
   const int16_t code = CheckDriveOff(call, kDriveOn);
-  if (code == vm::kOk) call.card.motion.SetEncoderExternal(AxisOf(call), external);
+  if (code == vm::kOk) call.card.motion.EncoderAt(AxisOf(call)).SetExternal(external);
   return code;
 }
 
@@ -100,17 +99,17 @@ int16_t GT_CtrlMode(Call& call) {
   if (code != vm::kOk) return code;
   GeAxisOf(call).pulses = pulses;
   ConnectDrive(call.card, axis);
-  call.card.motion.SetEncoderExternal(axis, !pulses);
+  call.card.motion.EncoderAt(axis).SetExternal(!pulses);
   return vm::kOk;
 }
 
 int16_t GT_StepDir(Call& call) {
-  ChangeStep(call.card, AxisOf(call)).mode = kPulseAndDirection;
+  call.card.motion.StepAt(AxisOf(call)).SetMode(kPulseAndDirection);
   return vm::kOk;
 }
 
 int16_t GT_StepPulse(Call& call) {
-  ChangeStep(call.card, AxisOf(call)).mode = kForwardAndBackward;
+  call.card.motion.StepAt(AxisOf(call)).SetMode(kForwardAndBackward);
   return vm::kOk;
 }
 
@@ -119,12 +118,13 @@ int16_t GT_StepPulse(Call& call) {
 int16_t GT_DrvRst(Call& call) {
   const int16_t code = CheckDriveOff(call, kDriveOn);
   if (code != vm::kOk) return code;
-  ChangeIo(call.card).WriteForAWhile(DoType::kClear, call.integer(0) - 1, true, kClearPulseUs);
+  call.card.motion.digital_io().WriteForAWhile(DoType::kClear, call.integer(0) - 1, true,
+                                               kClearPulseUs);
   return vm::kOk;
 }
 
 int16_t GT_AxisOff(Call& call) {
-  call.card.motion.ServoOff(AxisOf(call));
+  call.card.motion.AxisAt(AxisOf(call)).ServoOff();
   return vm::kOk;
 }
 
@@ -134,10 +134,8 @@ namespace {
 
 /// Forgets the events whose bits are not kept.
 void ClearEvents(Card& card, size_t axis, uint32_t kept) {
-  const uint32_t latched = card.motion.axis(axis).latched & ConditionsOf(kept & kEventBits);
-  card.motion.ClearStatus(axis);
-  if (latched != 0) ChangeAxis(card, axis).latched |= latched;
-  if ((kept & kCapturedBit) == 0) ChangeCaptures(card).Clear(axis);
+  card.motion.AxisAt(axis).ClearConditions(ConditionsOf(~kept & kEventBits));
+  if ((kept & kCapturedBit) == 0) card.motion.capture().Clear(axis);
   if ((kept & kRefusedBit) == 0) card.state<GeState>().axes[axis].refused = false;
 }
 

@@ -1,7 +1,6 @@
 // Captures of the actual position, one for each axis. Source: GE manual chapters 7 and 12. Tested
 // by tests/gtcalls/ge/capture_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::ge {
@@ -23,7 +22,7 @@ int16_t Arm(Call& call, CaptureSource source) {
                                   "1，并调用 GT_ClrSts",
                                   call.integer(0)));
   }
-  ChangeCaptures(call.card).Arm(AxisOf(call), source);
+  call.card.motion.capture().Arm(AxisOf(call), source);
   return vm::kOk;
 }
 
@@ -32,7 +31,7 @@ int16_t Arm(Call& call, CaptureSource source) {
 int16_t GT_HomeSns(Call& call) {
   for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
     const bool rising = (call.integer(0) >> axis & 1) != 0;
-    ChangeCaptures(call.card).capture(axis).SetRising(CaptureSource::kHome, rising);
+    call.card.motion.capture().SetSense(axis, CaptureSource::kHome, rising);
   }
   return vm::kOk;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::ge {
@@ -36,7 +35,7 @@ int16_t GT_ExInpt(Call& call) {
 
 int16_t GT_ExOpt(Call& call) {
   constexpr uint32_t kAll = 0xFFFF;
-  ChangeIo(call.card).Write(DoType::kGpo, kAll, static_cast<uint32_t>(call.integer(0)));
+  call.card.motion.digital_io().Write(DoType::kGpo, kAll, static_cast<uint32_t>(call.integer(0)));
   return vm::kOk;
 }
 

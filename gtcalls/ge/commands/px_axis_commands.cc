@@ -1,7 +1,6 @@
 // Axes of point-to-point cards: status, positions, servo loops. Source: GE manual chapters 3, 4, 8
 // and 12. Tested by tests/gtcalls/ge/axis_command_test.cc and servo_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 #include "gtcalls/ge/status_words.h"
 #include "motion/common/rounding.h"
 
@@ -17,7 +16,7 @@ const motion::Sample& PlannedOf(const Call& call) {
 int16_t GT_IndexSns(Call& call) {
   for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
     const bool rising = (call.integer(0) >> axis & 1) != 0;
-    ChangeCaptures(call.card).capture(axis).SetRising(motion::CaptureSource::kIndex, rising);
+    call.card.motion.capture().SetSense(axis, motion::CaptureSource::kIndex, rising);
   }
   return vm::kOk;
 }
@@ -117,7 +116,8 @@ int16_t GT_SetMtrCmd(Call& call) {
                       MakeMessage("the loop of axis {0} is closed, call GT_OpenLp first",
                                   "轴 {0} 为闭环控制，请先调用 GT_OpenLp", call.integer(0)));
   }
-  if (IsAnalogue(call.card, AxisOf(call))) ChangeDac(call.card, AxisOf(call)).value = call.value(1);
+  if (IsAnalogue(call.card, AxisOf(call)))
+    call.card.motion.DacAt(AxisOf(call)).SetValue(call.value(1));
   return vm::kOk;
 }
 

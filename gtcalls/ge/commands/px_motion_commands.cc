@@ -2,7 +2,6 @@
 // GT_Update begins or replans the motion with all of them. Source: GE manual chapters 5 and 12.
 // Tested by tests/gtcalls/ge/motion_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 
 namespace oncard::gtcalls::gep {
 namespace {
@@ -13,7 +12,7 @@ GeRegisters& RegistersOf(const Call& call) { return GeAxisOf(call).registers; }
 
 int16_t ChooseMode(Call& call, ProfileMode mode) {
   const int16_t code = CheckAtRest(call, kModeInUse);
-  if (code == vm::kOk) ChangeProfile(call.card, AxisOf(call)).mode = mode;
+  if (code == vm::kOk) call.card.motion.ProfileAt(AxisOf(call)).SelectMode(mode);
   return code;
 }
 
@@ -123,27 +122,24 @@ int16_t CheckUpdate(Call& call, size_t axis) {
 void UpdateMotion(Card& card, size_t axis) {
   const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
   const double acceleration = registers.acceleration.working;
-  motion::Profile& profile = ChangeProfile(card, axis);
-  if (profile.mode != ProfileMode::kSCurve && acceleration < motion::kRateMin) return;
-  switch (profile.mode) {
-    case ProfileMode::kSCurve:
-      profile.s_curve.limits = {registers.velocity.working, registers.max_acceleration.working,
-                                registers.jerk.working};
-      profile.s_curve.target = registers.position.working;
-      break;
-    case ProfileMode::kJog:
-      profile.smooth_stop = acceleration;
-      profile.jog.parameters = {acceleration, acceleration, 0};
-      profile.jog.velocity = registers.velocity.working;
-      break;
-    default:
-      profile.smooth_stop = acceleration;
-      profile.trap.parameters = {acceleration, acceleration, 0, 0};
-      profile.trap.target = registers.position.working;
-      profile.trap.velocity = registers.velocity.working;
-      break;
+  const motion::ProfileHandle profile = card.motion.ProfileAt(axis);
+  const ProfileMode mode = card.motion.profile(axis).mode;
+  if (mode == ProfileMode::kSCurve) {
+    profile.SetSCurve({registers.velocity.working, registers.max_acceleration.working,
+                       registers.jerk.working},
+                      registers.position.working);
+  } else {
+    if (acceleration < motion::kRateMin) return;
+    profile.SetStopDecelerations(acceleration, card.motion.profile(axis).abrupt_stop);
+    profile.SetVelocity(registers.velocity.working);
+    if (mode == ProfileMode::kJog) {
+      profile.SetParameters(motion::JogParameters{acceleration, acceleration, 0});
+    } else {
+      profile.SetParameters(motion::TrapParameters{acceleration, acceleration, 0, 0});
+      profile.SetTarget(registers.position.working);
+    }
   }
-  card.motion.StartProfile(axis);
+  profile.Start();
 }
 
 void UpdateAxis(Card& card, size_t axis) {
@@ -185,12 +181,12 @@ int16_t GT_MltiUpdt(Call& call) {
 
 int16_t GT_SmthStp(Call& call) {
   GeAxisOf(call).stopping = true;
-  call.card.motion.StopProfile(AxisOf(call), false);
+  call.card.motion.ProfileAt(AxisOf(call)).Stop(false);
   return vm::kOk;
 }
 
 int16_t GT_AbptStp(Call& call) {
-  call.card.motion.StopProfile(AxisOf(call), true);
+  call.card.motion.ProfileAt(AxisOf(call)).Stop(true);
   return vm::kOk;
 }
 

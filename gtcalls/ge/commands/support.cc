@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "gtcalls/ge/commands/commands.h"
-#include "gtcalls/ge/commands/motion_access.h"
 
 namespace oncard::gtcalls::ge {
 
@@ -41,7 +40,7 @@ namespace {
 void UpdateErrorLimit(Card& card, size_t axis) {
   constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
   const uint16_t limit = card.state<GeState>().axes[axis].registers.error_limit.working;
-  ChangeControl(card, axis).error_limit = card.motion.InClosedLoop(axis) ? limit : kNever;
+  card.motion.ControlAt(axis).SetErrorLimit(card.motion.InClosedLoop(axis) ? limit : kNever);
 }
 
 }  // namespace
@@ -50,41 +49,41 @@ void ConnectDrive(Card& card, size_t axis) {
   const bool analogue = IsAnalogue(card, axis);
   const bool open = card.state<GeState>().axes[axis].open_loop;
   // A drive that follows a voltage takes no pulses.
-  ChangeStep(card, axis).active = !(analogue && open);
-  card.motion.SetClosedLoop(axis, analogue && !open);
+  card.motion.StepAt(axis).SetActive(!(analogue && open));
+  card.motion.AxisAt(axis).SetClosedLoop(analogue && !open);
   UpdateErrorLimit(card, axis);
 }
 
 void UpdateServo(Card& card, size_t axis) {
   if (!HasVoltages(card)) return;
   const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
-  motion::PidSet& set = ChangeControl(card, axis).sets[0];
+  motion::PidSet set = card.motion.state().controls[axis].sets[0];
   set.kp = registers.kp.working;
   set.ki = registers.ki.working;
   set.kd = registers.kd.working;
   set.kvff = registers.kvff.working;
   set.kaff = registers.kaff.working;
   set.integral_limit = registers.integral_limit.working;
-  motion::Dac& dac = ChangeDac(card, axis);
-  dac.bias = registers.bias.working;
-  dac.limit = static_cast<int16_t>(registers.output_limit.working);
+  card.motion.ControlAt(axis).SetPidSet(0, set);
+  card.motion.DacAt(axis).SetBias(registers.bias.working);
+  card.motion.DacAt(axis).SetLimit(static_cast<int16_t>(registers.output_limit.working));
   UpdateErrorLimit(card, axis);
 }
 
 void PlaceAxis(Card& card, size_t axis, int32_t position) {
-  card.motion.SetProfilePosition(axis, position);
-  card.motion.SetEncoderPosition(axis, position);
-  card.motion.SynchAxis(axis);
+  card.motion.ProfileAt(axis).SetPosition(position);
+  card.motion.EncoderAt(axis).SetPosition(position);
+  card.motion.AxisAt(axis).SynchPosition();
   card.state<GeState>().axes[axis].registers.position.Set(position);
 }
 
 void EnableDrive(Card& card, size_t axis) {
   // Assumption: for a drive that is enabled already nothing changes.
   if (card.motion.axis(axis).servo_on) return;
-  card.motion.StopProfile(axis, true);
+  card.motion.ProfileAt(axis).Stop(true);
   const double actual = card.motion.encoder(axis).position;
   PlaceAxis(card, axis, static_cast<int32_t>(std::clamp(actual, kPositionMin, kPositionMax)));
-  card.motion.ServoOn(axis);
+  card.motion.AxisAt(axis).ServoOn();
 }
 
 }  // namespace oncard::gtcalls::ge

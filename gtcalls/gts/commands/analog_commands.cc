@@ -9,19 +9,19 @@ namespace {
 using motion::Adc;
 using motion::Dac;
 
-const Dac& DacAt(const Call& call, size_t index) {
+const Dac& DacOf(const Call& call, size_t index) {
   const motion::MotionCore& core = call.card.motion;
   return core.state().dacs[index];
 }
-Dac& ChangeDac(const Call& call, size_t offset = 0) {
-  return call.card.motion.state().dacs[NumberOf(call) + offset];
+motion::DacHandle DacAt(const Call& call, size_t offset = 0) {
+  return call.card.motion.DacAt(NumberOf(call) + offset);
 }
-const Adc& AdcAt(const Call& call, size_t index) {
+const Adc& AdcOf(const Call& call, size_t index) {
   return call.card.motion.part<&motion::MotionState::adcs>()[index];
 }
 
 int16_t CheckDac(Call& call, int offset) {
-  const Dac& dac = DacAt(call, NumberOf(call) + static_cast<size_t>(offset));
+  const Dac& dac = DacOf(call, NumberOf(call) + static_cast<size_t>(offset));
   if (dac.control < 0) return vm::kOk;
   return call.Refuse(
       vm::kRefused,
@@ -40,32 +40,32 @@ int16_t GT_SetDac(Call& call) {
   }
   for (int i = 0; i < call.integer(2); ++i) {
     const auto cell = static_cast<size_t>(i);
-    ChangeDac(call, cell).value = call.cells(1)[cell];
+    DacAt(call, cell).SetValue(call.cells(1)[cell]);
   }
   return vm::kOk;
 }
 
 int16_t GT_GetDac(Call& call) {
-  return ReadEach(call, [&](size_t i) { return DacAt(call, i).Output(); });
+  return ReadEach(call, [&](size_t i) { return DacOf(call, i).Output(); });
 }
 
 int16_t GT_SetMtrBias(Call& call) {
-  ChangeDac(call).bias = static_cast<int16_t>(call.integer(1));
+  DacAt(call).SetBias(static_cast<int16_t>(call.integer(1)));
   return vm::kOk;
 }
 
 int16_t GT_GetMtrBias(Call& call) {
-  call.Set(1, DacAt(call, NumberOf(call)).bias);
+  call.Set(1, DacOf(call, NumberOf(call)).bias);
   return vm::kOk;
 }
 
 int16_t GT_SetMtrLmt(Call& call) {
-  ChangeDac(call).limit = static_cast<int16_t>(call.integer(1));
+  DacAt(call).SetLimit(static_cast<int16_t>(call.integer(1)));
   return vm::kOk;
 }
 
 int16_t GT_GetMtrLmt(Call& call) {
-  call.Set(1, DacAt(call, NumberOf(call)).limit);
+  call.Set(1, DacOf(call, NumberOf(call)).limit);
   return vm::kOk;
 }
 
@@ -86,17 +86,17 @@ int16_t CheckLastAdc(Call& call) {
 int16_t GT_GetAdc(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
-  return ReadEach(call, [&](size_t i) { return AdcAt(call, i).Volts(); });
+  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Volts(); });
 }
 
 int16_t GT_GetAdcValue(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
-  return ReadEach(call, [&](size_t i) { return AdcAt(call, i).Value(); });
+  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Value(); });
 }
 
 int16_t GT_SetAdcFilter(Call& call) {
-  call.card.motion.state().adcs[NumberOf(call)].filter = static_cast<int16_t>(call.integer(1));
+  call.card.motion.SetAdcFilter(NumberOf(call), static_cast<int16_t>(call.integer(1)));
   return vm::kOk;
 }
 

@@ -34,12 +34,12 @@ int16_t GT_AxisOn(Call& call) {
   int16_t code = CheckAxisAtRest(call, NumberOf(call));
   if (code == vm::kOk) code = CheckBusStarted(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  call.card.motion.ServoOn(NumberOf(call));
+  AxisAt(call).ServoOn();
   return vm::kOk;
 }
 
 int16_t GT_AxisOff(Call& call) {
-  call.card.motion.ServoOff(NumberOf(call));
+  AxisAt(call).ServoOff();
   return vm::kOk;
 }
 
@@ -51,7 +51,7 @@ int16_t GT_GetSts(Call& call) {
 
 int16_t GT_ClrSts(Call& call) {
   for (int i = 0; i < call.integer(1); ++i) {
-    call.card.motion.ClearStatus(NumberOf(call) + static_cast<size_t>(i));
+    call.card.motion.AxisAt(NumberOf(call) + static_cast<size_t>(i)).ClearStatus();
   }
   return vm::kOk;
 }
@@ -71,7 +71,7 @@ int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view e
 
 int16_t SwitchAlarm(Call& call, bool on) {
   const int16_t code = CheckConfigured(call, AxisOf(call).alarm, "alarm", "报警");
-  if (code == vm::kOk) ChangeAxis(call).alarm_on = on;
+  if (code == vm::kOk) AxisAt(call).SwitchAlarm(on);
   return code;
 }
 
@@ -84,7 +84,7 @@ namespace {
 
 /// Limit type -1 means both.
 int16_t SwitchLimits(Call& call, bool on) {
-  Axis& axis = ChangeAxis(call);
+  const Axis& axis = AxisOf(call);
   const bool positive = call.integer(1) != 1;
   const bool negative = call.integer(1) != 0;
   int16_t code = vm::kOk;
@@ -93,8 +93,8 @@ int16_t SwitchLimits(Call& call, bool on) {
     code = CheckConfigured(call, axis.negative_limit, "negative limit", "负限位");
   }
   if (code != vm::kOk) return code;
-  if (positive) axis.positive_limit_on = on;
-  if (negative) axis.negative_limit_on = on;
+  if (positive) AxisAt(call).SwitchPositiveLimit(on);
+  if (negative) AxisAt(call).SwitchNegativeLimit(on);
   return vm::kOk;
 }
 
@@ -111,8 +111,7 @@ int16_t GT_SetSoftLimit(Call& call) {
                     "{1}",
                     "正限位 {0} 必须大于负限位 {1}", call.integer(1), call.integer(2)));
   }
-  ChangeAxis(call).soft_positive = call.integer(1);
-  ChangeAxis(call).soft_negative = call.integer(2);
+  AxisAt(call).SetSoftLimits(call.integer(1), call.integer(2));
   return vm::kOk;
 }
 
@@ -134,16 +133,18 @@ int16_t GT_SetStopIo(Call& call) {
                     call.integer(2), DiWidth(type)));
   }
   const InputChoice input{type, static_cast<int16_t>(index == kNoInput ? -1 : index - 1)};
-  Axis& axis = ChangeAxis(call);
-  (call.integer(1) == kAbruptStopType ? axis.abrupt_stop : axis.smooth_stop) = input;
+  if (call.integer(1) == kAbruptStopType) {
+    AxisAt(call).SetAbruptStopInput(input);
+  } else {
+    AxisAt(call).SetSmoothStopInput(input);
+  }
   return vm::kOk;
 }
 
 // --- Stops -----------------------------------------------------------------------------------
 
 int16_t GT_SetStopDec(Call& call) {
-  ChangeProfile(call).smooth_stop = call.value(1);
-  ChangeProfile(call).abrupt_stop = call.value(2);
+  ProfileAt(call).SetStopDecelerations(call.value(1), call.value(2));
   return vm::kOk;
 }
 
@@ -163,18 +164,15 @@ int16_t GT_Stop(Call& call) {
   call.reason = {};
   const uint32_t abrupt = BitWord(call.value(1));
   const uint32_t abrupt_crds = CrdBitsOf(call, mask & abrupt);
-  for (const size_t i : crds) call.card.motion.StopCrd(i, (abrupt_crds >> i & 1) != 0);
-  for (const size_t i : profiles) call.card.motion.StopCommanded(i, (abrupt >> i & 1) != 0);
+  for (const size_t i : crds) call.card.motion.CrdAt(i).Stop((abrupt_crds >> i & 1) != 0);
+  for (const size_t i : profiles) call.card.motion.AxisAt(i).Stop((abrupt >> i & 1) != 0);
   return vm::kOk;
 }
 
 // --- In position -----------------------------------------------------------------------------
 
 int16_t GT_SetAxisBand(Call& call) {
-  Axis& axis = ChangeAxis(call);
-  axis.band = call.integer(1);
-  axis.band_time = call.integer(2) * kTimeUnitUs;
-  axis.band_set = true;
+  AxisAt(call).SetBand(call.integer(1), call.integer(2) * kTimeUnitUs);
   return vm::kOk;
 }
 
@@ -212,27 +210,25 @@ motion::Scale ScaleOf(const Call& call) {
 int16_t GT_ProfileScale(Call& call) {
   int16_t code = CheckScale(call);
   if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
-  if (code == vm::kOk) call.card.motion.SetProfileScale(NumberOf(call), ScaleOf(call));
+  if (code == vm::kOk) AxisAt(call).SetProfileScale(ScaleOf(call));
   return code;
 }
 
 int16_t GT_EncScale(Call& call) {
   const int16_t code = CheckScale(call);
-  if (code == vm::kOk) call.card.motion.SetEncoderScale(NumberOf(call), ScaleOf(call));
+  if (code == vm::kOk) AxisAt(call).SetEncoderScale(ScaleOf(call));
   return code;
 }
 
-namespace {
-
-int16_t SetFilter(const Call& call, motion::AxisValue& value) {
-  value.filter.Set(static_cast<int16_t>(call.integer(1)), value.velocity);
+int16_t GT_SetAxisPrfVelFilter(Call& call) {
+  AxisAt(call).SetProfileVelocityFilter(static_cast<int16_t>(call.integer(1)));
   return vm::kOk;
 }
 
-}  // namespace
-
-int16_t GT_SetAxisPrfVelFilter(Call& call) { return SetFilter(call, ChangeAxis(call).profile); }
-int16_t GT_SetAxisEncVelFilter(Call& call) { return SetFilter(call, ChangeAxis(call).encoder); }
+int16_t GT_SetAxisEncVelFilter(Call& call) {
+  AxisAt(call).SetEncoderVelocityFilter(static_cast<int16_t>(call.integer(1)));
+  return vm::kOk;
+}
 
 int16_t GT_GetAxisPrfVelFilter(Call& call) {
   call.Set(1, AxisOf(call).profile.filter.exponent);

@@ -10,7 +10,9 @@ using motion::bus::DriveMode;
 using motion::bus::ObjectId;
 using motion::bus::SdoAbort;
 
-BusAxis& LinkOf(const Call& call) { return call.card.motion.state().bus->axes[NumberOf(call)]; }
+const BusAxis& LinkOf(const Call& call) {
+  return call.card.motion.state().bus->axes[NumberOf(call)];
+}
 
 /// 0, or 7 with the reason if argument 1 is no mode of a drive.
 int16_t CheckModeNumber(Call& call) {
@@ -36,7 +38,7 @@ int16_t ChangeMode(Call& call) {
 int16_t GT_SetEcatAxisMode(Call& call) {
   int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
-  if (!call.card.motion.state().bus->line.HasOutput(BusSlaveOf(call), ObjectId::kMode)) {
+  if (!LineOf(call)->HasOutput(BusSlaveOf(call), ObjectId::kMode)) {
     // The reason of an object that is missing, without writing it.
     return WriteOutput(call, ObjectId::kMode, 0);
   }
@@ -167,7 +169,7 @@ int16_t GT_GetTouchProbeStatus(Call& call) {
     if (code == vm::kOk) code = CheckInput(call, id);
   }
   if (code != vm::kOk) return code;
-  const motion::bus::Bus& line = call.card.motion.state().bus->line;
+  const motion::bus::Bus& line = *LineOf(call);
   constexpr ObjectId kOutputs[] = {ObjectId::kProbeStatus, ObjectId::kProbe1Rising,
                                    ObjectId::kProbe1Falling, ObjectId::kProbe2Rising,
                                    ObjectId::kProbe2Falling};
@@ -206,7 +208,7 @@ int16_t GT_SetEcatAxisDO(Call& call) {
 int16_t GT_GetEcatAxisDO(Call& call) {
   const int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
-  const motion::bus::Bus& line = call.card.motion.state().bus->line;
+  const motion::bus::Bus& line = *LineOf(call);
   const auto outputs = line.Output(BusSlaveOf(call), ObjectId::kDigitalOutputs);
   if (!outputs) return ReadInput(call, ObjectId::kDigitalOutputs, 1);
   call.Set(1, static_cast<double>(*outputs));

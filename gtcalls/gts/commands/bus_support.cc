@@ -28,10 +28,7 @@ int16_t RefuseObject(Call& call, ObjectId id) {
 
 }  // namespace
 
-Bus* LineOf(const Call& call) {
-  motion::MotionState& state = call.card.motion.state();
-  return state.bus ? &state.bus->line : nullptr;
-}
+Bus* LineOf(const Call& call) { return call.card.motion.bus_line(); }
 
 int16_t CheckBus(Call& call) {
   const Bus* line = LineOf(call);
@@ -80,7 +77,8 @@ int16_t CheckBusObeys(Call& call, size_t axis) {
 }
 
 size_t BusSlaveOf(const Call& call) {
-  return static_cast<size_t>(call.card.motion.state().bus->axes[NumberOf(call)].slave);
+  return static_cast<size_t>(
+      call.card.motion.state().bus->axes[NumberOf(call)].slave);
 }
 
 int16_t CheckInput(Call& call, ObjectId id) {

@@ -27,8 +27,11 @@ enum TriggerCell : size_t {
 };
 constexpr size_t kTriggerStatusCells = 3;
 
-CaptureUnit& UnitOf(const Call& call) { return call.card.motion.state().capture; }
-Capture& CaptureOf(const Call& call) { return UnitOf(call).capture(NumberOf(call)); }
+const CaptureUnit& UnitOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::capture>();
+}
+const Capture& CaptureOf(const Call& call) { return UnitOf(call).capture(NumberOf(call)); }
+CaptureUnit& ChangeUnit(const Call& call) { return call.card.motion.capture(); }
 
 /// 0, or 7 if there is no capture source with this number.
 int16_t CheckSource(Call& call, double number) {
@@ -57,7 +60,7 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
 int16_t GT_SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
-  UnitOf(call).Arm(NumberOf(call), CaptureSourceOf(call.integer(1)));
+  ChangeUnit(call).Arm(NumberOf(call), CaptureSourceOf(call.integer(1)));
   return vm::kOk;
 }
 
@@ -79,12 +82,12 @@ int16_t GT_GetCaptureStatus(Call& call) {
 int16_t GT_SetCaptureSense(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
-  CaptureOf(call).SetRising(CaptureSourceOf(call.integer(1)), call.integer(2) != 0);
+  ChangeUnit(call).SetSense(NumberOf(call), CaptureSourceOf(call.integer(1)), call.integer(2) != 0);
   return vm::kOk;
 }
 
 int16_t GT_ClearCaptureStatus(Call& call) {
-  UnitOf(call).Clear(NumberOf(call));
+  ChangeUnit(call).Clear(NumberOf(call));
   return vm::kOk;
 }
 
@@ -101,7 +104,7 @@ int16_t CheckDisarmed(Call& call) {
 
 /// Public samples call it after GT_SetCaptureMode.
 int16_t GT_SetCaptureRepeat(Call& call) {
-  UnitOf(call).SetRepeat(NumberOf(call), static_cast<uint16_t>(call.integer(1)));
+  ChangeUnit(call).SetRepeat(NumberOf(call), static_cast<uint16_t>(call.integer(1)));
   return vm::kOk;
 }
 
@@ -131,7 +134,7 @@ int16_t GT_GetCaptureRepeatPos(Call& call) {
 int16_t GT_SetCaptureEncoder(Call& call) {
   const int16_t code = CheckDisarmed(call);
   if (code != vm::kOk) return code;
-  CaptureOf(call).encoder = static_cast<uint8_t>(NumberOf(call, 1));
+  ChangeUnit(call).SetEncoder(NumberOf(call), NumberOf(call, 1));
   return vm::kOk;
 }
 
@@ -139,7 +142,7 @@ int16_t GT_SetCaptureOffset(Call& call) {
   if (call.value(3) < 0) return RefuseRange(call, "loop", call.value(3), 0, 2147483647);
   std::vector<int32_t> offsets;
   for (const double offset : call.cells(1)) offsets.push_back(static_cast<int32_t>(offset));
-  UnitOf(call).SetOffsets(NumberOf(call), std::move(offsets), call.integer(3));
+  ChangeUnit(call).SetOffsets(NumberOf(call), std::move(offsets), call.integer(3));
   return vm::kOk;
 }
 
@@ -163,7 +166,7 @@ int16_t GT_GetCaptureOffsetStatus(Call& call) {
 int16_t GT_LinkCaptureOffset(Call& call) {
   const int16_t code = CheckEncoder(call, "source", call.value(1));
   if (code != vm::kOk) return code;
-  UnitOf(call).LinkOffsets(NumberOf(call), NumberOf(call, 1));
+  ChangeUnit(call).LinkOffsets(NumberOf(call), NumberOf(call, 1));
   return vm::kOk;
 }
 
@@ -196,7 +199,7 @@ int16_t GT_SetTrigger(Call& call) {
   trigger.window_only = cells[kWindowOnly] != 0;
   trigger.first = static_cast<int32_t>(cells[kFirstPosition]);
   trigger.last = static_cast<int32_t>(cells[kLastPosition]);
-  UnitOf(call).SetTrigger(NumberOf(call), trigger);
+  ChangeUnit(call).SetTrigger(NumberOf(call), trigger);
   return vm::kOk;
 }
 
@@ -228,7 +231,7 @@ int16_t GT_GetTriggerStatus(Call& call) {
 }
 
 int16_t GT_ClearTriggerStatus(Call& call) {
-  UnitOf(call).ClearTrigger(NumberOf(call));
+  ChangeUnit(call).ClearTrigger(NumberOf(call));
   return vm::kOk;
 }
 

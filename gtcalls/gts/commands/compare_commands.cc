@@ -28,9 +28,12 @@ enum CompareCell : size_t {
   kThreshold
 };
 
-CompareUnit& CompareOf(const Call& call) { return call.card.motion.state().compare; }
+const CompareUnit& CompareOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::compare>();
+}
+CompareUnit& ChangeCompare(const Call& call) { return call.card.motion.compare(); }
 size_t ChannelOf(const Call& call) { return static_cast<size_t>(call.integer(0)); }
-CompareModule& ModuleOf(const Call& call) { return CompareOf(call).module(ChannelOf(call)); }
+const CompareModule& ModuleOf(const Call& call) { return CompareOf(call).module(ChannelOf(call)); }
 
 int16_t CheckStopped(Call& call) {
   if (!ModuleOf(call).running) return vm::kOk;
@@ -52,7 +55,9 @@ int16_t RefuseCompareMember(Call& call, std::string_view name, double value, dou
 int16_t GT_2DCompareMode(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
-  ModuleOf(call).parameters.two_dimensional = call.integer(1) != 0;
+  CompareParameters parameters = ModuleOf(call).parameters;
+  parameters.two_dimensional = call.integer(1) != 0;
+  ChangeCompare(call).SetParameters(ChannelOf(call), parameters);
   return vm::kOk;
 }
 
@@ -86,9 +91,9 @@ int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
   const int time = call.integer(first + 2);
   for (const size_t channel : channels) {
     if (type != 0) {
-      CompareOf(call).SetLevel(channel, level != 0);
+      ChangeCompare(call).SetLevel(channel, level != 0);
     } else {
-      CompareOf(call).Pulse(channel, call.card.motion.now(), static_cast<int16_t>(time));
+      ChangeCompare(call).Pulse(channel, call.card.motion.now(), static_cast<int16_t>(time));
     }
   }
   return vm::kOk;
@@ -120,8 +125,7 @@ namespace {
 
 /// 0, or 7 if the encoder does not count the signal that `source` selects.
 int16_t CheckSource(Call& call, double number, bool external) {
-  const motion::Encoder& encoder =
-      call.card.motion.state().encoders[static_cast<size_t>(number) - 1];
+  const motion::Encoder& encoder = call.card.motion.encoder(static_cast<size_t>(number) - 1);
   if (encoder.external == external) return vm::kOk;
   return call.Refuse(
       vm::kBadParameter,
@@ -181,7 +185,7 @@ int16_t GT_2DCompareSetPrm(Call& call) {
   p.start_level = cells[kStartLevel] != 0;
   p.time = static_cast<int16_t>(cells[kTime]);
   p.max_error = static_cast<int16_t>(cells[kMaxError]);
-  ModuleOf(call).parameters = p;
+  ChangeCompare(call).SetParameters(ChannelOf(call), p);
   return vm::kOk;
 }
 
@@ -206,7 +210,7 @@ int16_t GT_2DCompareData(Call& call) {
   for (size_t i = 0; 2 * i + 1 < cells.size() && i < count; ++i) {
     points.push_back({static_cast<int32_t>(cells[2 * i]), static_cast<int32_t>(cells[2 * i + 1])});
   }
-  CompareOf(call).Append(ChannelOf(call), points);
+  ChangeCompare(call).Append(ChannelOf(call), points);
   return vm::kOk;
 }
 
@@ -219,21 +223,21 @@ int16_t GT_2DCompareStart(Call& call) {
                                                  "通道 {0} 没有比较数据，请调用 GT_2DCompareData",
                                                  call.integer(0)));
   }
-  const auto& encoders = call.card.motion.state().encoders;
-  CompareOf(call).Start(ChannelOf(call), encoders[module.parameters.x].position,
-                        encoders[module.parameters.y].position);
+  const motion::MotionCore& core = call.card.motion;
+  ChangeCompare(call).Start(ChannelOf(call), core.encoder(module.parameters.x).position,
+                            core.encoder(module.parameters.y).position);
   return vm::kOk;
 }
 
 int16_t GT_2DCompareStop(Call& call) {
-  CompareOf(call).Stop(ChannelOf(call));
+  ChangeCompare(call).Stop(ChannelOf(call));
   return vm::kOk;
 }
 
 int16_t GT_2DCompareClear(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
-  CompareOf(call).Clear(ChannelOf(call));
+  ChangeCompare(call).Clear(ChannelOf(call));
   return vm::kOk;
 }
 
@@ -263,8 +267,8 @@ int16_t PrepareLinear(Call& call, size_t source, size_t time, CompareParameters*
                                                  "位置比较正在运行，请调用 GT_CompareStop"));
   }
   for (size_t channel = 0; channel < motion::kHsioCount; ++channel) {
-    CompareOf(call).Clear(channel);
-    CompareOf(call).module(channel).hits = 0;
+    ChangeCompare(call).Clear(channel);
+    ChangeCompare(call).ClearHits(channel);
   }
   parameters->y = static_cast<uint8_t>(NumberOf(call));
   parameters->source = static_cast<int16_t>(call.integer(source));
@@ -273,8 +277,8 @@ int16_t PrepareLinear(Call& call, size_t source, size_t time, CompareParameters*
 }
 
 void StartLinear(const Call& call, size_t channel, const CompareParameters& parameters) {
-  CompareOf(call).module(channel).parameters = parameters;
-  CompareOf(call).Start(channel, 0, call.card.motion.state().encoders[parameters.y].position);
+  ChangeCompare(call).SetParameters(channel, parameters);
+  ChangeCompare(call).Start(channel, 0, call.card.motion.encoder(parameters.y).position);
 }
 
 }  // namespace
@@ -312,7 +316,7 @@ int16_t GT_CompareData(Call& call) {
   parameters.start_level = call.integer(3) != 0;
   for (size_t channel = 0; channel < points.size(); ++channel) {
     if (points[channel].empty()) continue;
-    CompareOf(call).Append(channel, points[channel]);
+    ChangeCompare(call).Append(channel, points[channel]);
     StartLinear(call, channel, parameters);
   }
   return vm::kOk;
@@ -340,8 +344,8 @@ int16_t GT_CompareLinear(Call& call) {
   CompareParameters parameters;
   const int16_t code = PrepareLinear(call, 6, 5, &parameters);
   if (code != vm::kOk) return code;
-  CompareOf(call).Repeat(channel, static_cast<int32_t>(first), static_cast<int32_t>(count - 1),
-                         static_cast<int32_t>(interval));
+  ChangeCompare(call).Repeat(channel, static_cast<int32_t>(first), static_cast<int32_t>(count - 1),
+                             static_cast<int32_t>(interval));
   StartLinear(call, channel, parameters);
   return vm::kOk;
 }
@@ -356,7 +360,8 @@ int16_t GT_CompareStatus(Call& call) {
 }
 
 int16_t GT_CompareStop(Call& call) {
-  for (size_t channel = 0; channel < motion::kHsioCount; ++channel) CompareOf(call).Stop(channel);
+  for (size_t channel = 0; channel < motion::kHsioCount; ++channel)
+    ChangeCompare(call).Stop(channel);
   return vm::kOk;
 }
 

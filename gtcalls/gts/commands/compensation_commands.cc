@@ -14,14 +14,13 @@ using motion::Compensation;
 using motion::PitchTable;
 
 const Compensation& CompensationOf(const Call& call) {
-  return call.card.motion.state().compensations[NumberOf(call)];
+  return call.card.motion.part<&motion::MotionState::compensations>()[NumberOf(call)];
 }
 
 }  // namespace
 
 int16_t GT_SetBacklash(Call& call) {
-  call.card.motion.SetBacklash(
-      NumberOf(call),
+  AxisAt(call).SetBacklash(
       {.value = call.integer(1), .change = call.value(2), .positive = call.integer(3) != 0});
   return vm::kOk;
 }
@@ -50,7 +49,7 @@ int16_t GT_SetLeadScrewComp(Call& call) {
   table->length = call.value(3);
   table->positive = Points(call, 4);
   table->negative = Points(call, 5);
-  call.card.motion.SetPitchTable(NumberOf(call), std::move(table));
+  AxisAt(call).SetPitchTable(std::move(table));
   return vm::kOk;
 }
 
@@ -62,7 +61,7 @@ int16_t GT_EnableLeadScrewComp(Call& call) {
         MakeMessage("axis {0} has no pitch error table, call GT_SetLeadScrewComp",
                     "轴 {0} 没有螺距误差补偿表，请调用 GT_SetLeadScrewComp", call.integer(0)));
   }
-  call.card.motion.EnablePitchCompensation(NumberOf(call), on);
+  AxisAt(call).EnablePitchCompensation(on);
   return vm::kOk;
 }
 
@@ -95,8 +94,8 @@ int16_t GT_SetAxisInputShaping(Call& call) {
         MakeMessage("the input shaper of axis {0} has not yet output the whole motion",
                     "轴 {0} 的输入整形器尚未输出全部运动", call.integer(0)));
   }
-  call.card.motion.SetInputShaper(axis, on ? static_cast<size_t>(call.integer(2)) : 0,
-                                  on ? call.value(3) : 0);
+  AxisAt(call).SetInputShaper(on ? static_cast<size_t>(call.integer(2)) : 0,
+                              on ? call.value(3) : 0);
   return vm::kOk;
 }
 

@@ -124,20 +124,21 @@ int16_t GT_SetCrdPrm(Call& call) {
   if (code == vm::kOk) code = CheckCrdAtRest(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const CrdParameters parameters = ParametersOf(call);
-  const auto& state = call.card.motion.state();
+  const motion::MotionCore& core = call.card.motion;
   for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
     if (parameters.profile[i] == 0) continue;
     code = CheckAtRest(call, i);
     if (code != vm::kOk) return code;
     const size_t other = 1 - NumberOf(call);
-    if (state.profiles[i].mode == ProfileMode::kCrd && state.crds[other].HasMember(i)) {
+    const auto& crds = core.part<&motion::MotionState::crds>();
+    if (core.profile(i).mode == ProfileMode::kCrd && crds[other].HasMember(i)) {
       return call.Refuse(
           vm::kRefused,
           MakeMessage("profile {0} belongs to coordinate system {1}, call GT_PrfTrap to remove it",
                       "规划器 {0} 属于坐标系 {1}，请调用 GT_PrfTrap 将其移出", i + 1, other + 1));
     }
   }
-  call.card.motion.SetUpCrd(NumberOf(call), parameters);
+  CrdAt(call).SetUp(parameters);
   return vm::kOk;
 }
 
@@ -160,8 +161,7 @@ int16_t GT_GetCrdPrm(Call& call) {
 int16_t GT_SetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
-  ChangeCrd(call).smooth_stop = call.value(1);
-  ChangeCrd(call).abrupt_stop = call.value(2);
+  CrdAt(call).SetStopDecelerations(call.value(1), call.value(2));
   return vm::kOk;
 }
 
@@ -175,7 +175,7 @@ int16_t GT_GetCrdStopDec(Call& call) {
 
 int16_t GT_SetCrdLmtStopMode(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code == vm::kOk) ChangeCrd(call).limit_stop.smooth = call.integer(1) != kAbruptStopType;
+  if (code == vm::kOk) CrdAt(call).SetLimitStop(call.integer(1) != kAbruptStopType);
   return code;
 }
 
@@ -205,7 +205,7 @@ int16_t GT_SetCrdSingleMaxVel(Call& call) {
     }
   }
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
-    ChangeCrd(call).axis_velocity_max[i] = call.cells(1)[i];
+    CrdAt(call).SetVelocityMax(i, call.cells(1)[i]);
   }
   return vm::kOk;
 }
@@ -306,7 +306,7 @@ int16_t StartEach(Call& call, bool single_step) {
     const int16_t code = CheckStart(call, i, fifos >> i & 1);
     if (code != vm::kOk) return code;
   }
-  for (const size_t i : selected) call.card.motion.StartCrd(i, fifos >> i & 1, single_step);
+  for (const size_t i : selected) call.card.motion.CrdAt(i).Start(fifos >> i & 1, single_step);
   return vm::kOk;
 }
 
@@ -323,27 +323,22 @@ int16_t GT_CrdStepMode(Call& call) {
     if (code != vm::kOk) return code;
   }
   for (const size_t i : selected) {
-    Crd& crd = call.card.motion.state().crds[i];
-    crd.step_mode = (BitWord(call.value(1)) >> i & 1) != 0;
-    crd.Replan(call.card.motion.now());
+    call.card.motion.CrdAt(i).SetStepMode((BitWord(call.value(1)) >> i & 1) != 0);
   }
   return vm::kOk;
 }
 
-namespace {
-
-int16_t SetRatio(Call& call, double Crd::*ratio) {
+int16_t GT_SetOverride(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code != vm::kOk) return code;
-  ChangeCrd(call).*ratio = call.value(1);
-  ChangeCrd(call).Replan(call.card.motion.now());
-  return vm::kOk;
+  if (code == vm::kOk) CrdAt(call).SetOverride(call.value(1));
+  return code;
 }
 
-}  // namespace
-
-int16_t GT_SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
-int16_t GT_SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
+int16_t GT_SetOverride2(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) CrdAt(call).SetSecondOverride(call.value(1));
+  return code;
+}
 
 int16_t GT_CrdClear(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
@@ -351,7 +346,7 @@ int16_t GT_CrdClear(Call& call) {
     code = CheckCrdAtRest(call, NumberOf(call));
   }
   if (code != vm::kOk) return code;
-  ChangeCrd(call).Clear(FifoNumber(call));
+  CrdAt(call).Clear(FifoNumber(call));
   // The look-ahead of the buffer is empty as well, and begins where the axes are.
   BufferOf(call).auxiliaries = 0;
   BufferOf(call).has_start = false;
@@ -428,7 +423,7 @@ int16_t GT_GetUserTargetVel(Call& call) {
 
 int16_t GT_SetUserSegNum(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code == vm::kOk) ChangeFifo(call).user_number = call.integer(1);
+  if (code == vm::kOk) CrdAt(call).SetUserNumber(FifoNumber(call), call.integer(1));
   return code;
 }
 
@@ -464,11 +459,8 @@ int16_t GT_InitLookAhead(Call& call) {
                                    "GT_CrdClear",
                                    FifoOf(call).Ahead().size()));
   }
-  motion::PathLimits limits;
-  limits.rule = {motion::JointRule::kCorners, acceleration};
-  limits.corner_time = time;
-  ChangeFifo(call).planner.Emplace(
-      {.limits = limits, .capacity = static_cast<size_t>(call.integer(4))});
+  CrdAt(call).BeginLookAhead(FifoNumber(call), time, acceleration,
+                             static_cast<size_t>(call.integer(4)));
   return vm::kOk;
 }
 

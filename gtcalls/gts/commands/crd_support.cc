@@ -61,7 +61,7 @@ int16_t AppendSlot(Call& call, const motion::PathSlot& slot) {
 }
 
 int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coordinates& end) {
-  if (!call.card.motion.AppendToCrd(NumberOf(call), FifoNumber(call), slot)) {
+  if (!CrdAt(call).Append(FifoNumber(call), slot)) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("FIFO {0} of coordinate system {1} is full: wait until "
                                    "GT_CrdSpace gives more than 0, then send the command again",
@@ -69,7 +69,7 @@ int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coo
                                    "后重新发送该指令",
                                    FifoNumber(call), call.integer(0)));
   }
-  if (!slot.is_segment) ChangeFifo(call).Tail() = end;
+  if (!slot.is_segment) CrdAt(call).SetTail(FifoNumber(call), end);
   return vm::kOk;
 }
 

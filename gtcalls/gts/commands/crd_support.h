@@ -9,26 +9,21 @@
 
 namespace oncard::gtcalls::gts {
 
-/// The coordinate system that argument 0 numbers, to read and to change it.
+/// The coordinate system that argument 0 numbers, to read and to command it.
 inline const motion::Crd& CrdOf(const Call& call) {
   return call.card.motion.part<&motion::MotionState::crds>()[NumberOf(call)];
 }
-inline motion::Crd& ChangeCrd(const Call& call) {
-  return call.card.motion.state().crds[NumberOf(call)];
-}
+inline motion::CrdDriver CrdAt(const Call& call) { return call.card.motion.CrdAt(NumberOf(call)); }
 
 /// 0, or 1 with the reason when the coordinate system `crd` (from 0) has not been set up.
 int16_t CheckCrd(Call& call, size_t crd);
 
 /// The argument with that name; the command must have it.
 size_t ArgumentIndex(const Call& call, std::string_view name);
-/// The FIFO that the command's last arguments name, to read and to change it.
+/// The FIFO that the command's last arguments name.
 size_t FifoNumber(const Call& call);
 inline const motion::CrdFifo& FifoOf(const Call& call) {
   return CrdOf(call).fifos[FifoNumber(call)];
-}
-inline motion::CrdFifo& ChangeFifo(const Call& call) {
-  return ChangeCrd(call).fifos[FifoNumber(call)];
 }
 
 /// Where a segment appended now begins.

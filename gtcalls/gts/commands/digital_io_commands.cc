@@ -19,7 +19,7 @@ constexpr int64_t kPulseTimeUnitUs = kTimeUnitUs;
 const DigitalIo& IoOf(const Call& call) {
   return call.card.motion.part<&motion::MotionState::io>();
 }
-DigitalIo& ChangeIo(const Call& call) { return call.card.motion.state().io; }
+DigitalIo& ChangeIo(const Call& call) { return call.card.motion.digital_io(); }
 /// The catalogue's range ensures a valid number.
 DiType DiOf(const Call& call) { return *DiTypeOf(call.integer(0)); }
 DoType DoOf(const Call& call) { return *DoTypeOf(call.integer(0)); }

@@ -6,7 +6,7 @@
 namespace oncard::gtcalls::gts {
 
 int16_t GT_EncOn(Call& call) {
-  call.card.motion.SetEncoderExternal(NumberOf(call), true);
+  call.card.motion.EncoderAt(NumberOf(call)).SetExternal(true);
   return vm::kOk;
 }
 
@@ -20,7 +20,7 @@ int16_t GT_EncOff(Call& call) {
                     "编码器 {0} 用于轴 {1} 的闭环控制；请先以模式 1 调用 GT_CtrlMode",
                     call.integer(0), control.axis + 1));
   }
-  call.card.motion.SetEncoderExternal(NumberOf(call), false);
+  call.card.motion.EncoderAt(NumberOf(call)).SetExternal(false);
   return vm::kOk;
 }
 
@@ -29,7 +29,7 @@ int16_t GT_EncSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
   for (size_t i = 0; i < kAxisMax; ++i) {
     if (call.card.motion.HasEncoder(i)) {
-      call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
+      call.card.motion.EncoderAt(i).SetSense((sense >> i & 1) != 0);
     }
   }
   return vm::kOk;
@@ -45,15 +45,16 @@ constexpr int16_t kForwardAndBackward = 1;
 
 /// Refused while the axis is in closed loop, as in the GE manual.
 int16_t SetStepMode(Call& call, int16_t mode) {
-  motion::Step& step = call.card.motion.state().steps[NumberOf(call)];
-  if (step.axis >= 0 && call.card.motion.InClosedLoop(static_cast<size_t>(step.axis))) {
+  motion::MotionCore& core = call.card.motion;
+  const int axis = core.part<&motion::MotionState::steps, &motion::Step::axis>(NumberOf(call));
+  if (axis >= 0 && core.InClosedLoop(static_cast<size_t>(axis))) {
     return call.Refuse(
         vm::kRefused,
         MakeMessage(
             "axis {0} is in closed loop and outputs no pulses; call GT_CtrlMode with mode 1 first",
-            "轴 {0} 处于闭环模式，不输出脉冲；请先以模式 1 调用 GT_CtrlMode", step.axis + 1));
+            "轴 {0} 处于闭环模式，不输出脉冲；请先以模式 1 调用 GT_CtrlMode", axis + 1));
   }
-  step.mode = mode;
+  core.StepAt(NumberOf(call)).SetMode(mode);
   return vm::kOk;
 }
 

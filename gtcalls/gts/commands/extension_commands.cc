@@ -12,7 +12,7 @@ using motion::ExtensionModule;
 constexpr int kModuleFault = 1;
 
 ExtensionModule& ExtensionOf(const Call& call) {
-  return call.card.motion.state().modules[static_cast<size_t>(call.integer(0))];
+  return call.card.motion.module(static_cast<size_t>(call.integer(0)));
 }
 size_t ExtensionChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
 

@@ -10,7 +10,8 @@ using motion::FollowMode;
 using motion::FollowSegment;
 using motion::ProfileMode;
 
-FollowMode& FollowOf(const Call& call) { return ChangeProfile(call).follow; }
+const FollowMode& FollowOf(const Call& call) { return ProfileOf(call).follow; }
+FollowMode& ChangeFollow(const Call& call) { return ProfileAt(call).follow(); }
 
 int16_t CheckFollow(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kFollow); }
 int16_t CheckFollowAtRest(Call& call) {
@@ -27,7 +28,7 @@ int16_t GT_PrfFollow(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kFollow, FollowOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kFollow);
-  if (code == vm::kOk) FollowOf(call).direction = direction;
+  if (code == vm::kOk) ChangeFollow(call).direction = direction;
   return code;
 }
 
@@ -35,7 +36,7 @@ int16_t GT_SetFollowMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckFollowAtRest(call);
-  if (code == vm::kOk) FollowOf(call).master = *master;
+  if (code == vm::kOk) ChangeFollow(call).master = *master;
   return code;
 }
 
@@ -47,7 +48,7 @@ int16_t GT_GetFollowMaster(Call& call) {
 
 int16_t GT_SetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
-  if (code == vm::kOk) FollowOf(call).loop = call.integer(1);
+  if (code == vm::kOk) ChangeFollow(call).loop = call.integer(1);
   return code;
 }
 
@@ -64,7 +65,7 @@ int16_t GT_SetFollowEvent(Call& call) {
   }
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
-  FollowMode& follow = FollowOf(call);
+  FollowMode& follow = ChangeFollow(call);
   follow.event = *FollowEventOf(call.integer(1));
   follow.event_direction = static_cast<int8_t>(call.integer(2));
   follow.event_position = call.integer(3);
@@ -83,7 +84,7 @@ int16_t GT_GetFollowEvent(Call& call) {
 
 int16_t GT_SetFollowMemory(Call& call) {
   const int16_t code = CheckFollowAtRest(call);
-  if (code == vm::kOk) FollowOf(call).SetMemory(call.integer(1) != 0);
+  if (code == vm::kOk) ChangeFollow(call).SetMemory(call.integer(1) != 0);
   return code;
 }
 
@@ -122,7 +123,7 @@ bool CheckMasterSegment(Call& call, const std::vector<FollowSegment>& segments, 
 
 int16_t GT_FollowData(Call& call) {
   const int16_t code = CheckFollow(call);
-  FollowMode& follow = FollowOf(call);
+  FollowMode& follow = ChangeFollow(call);
   const size_t which = FifoArgument(call, 4);
   std::vector<FollowSegment>& segments = follow.fifos[which];
   if (!CheckMasterSegment(call, segments, call.integer(1))) return vm::kBadParameter;
@@ -140,7 +141,7 @@ int16_t GT_FollowData(Call& call) {
 int16_t GT_FollowClear(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
-  FollowMode& follow = FollowOf(call);
+  const FollowMode& follow = FollowOf(call);
   const size_t which = FifoArgument(call, 1);
   if (follow.running && (follow.fifo == which || follow.switching)) {
     return call.Refuse(
@@ -149,7 +150,7 @@ int16_t GT_FollowClear(Call& call) {
                     "switch",
                     "FIFO {0} 正在使用或即将切换，请先停止运动或等待切换完成", which));
   }
-  follow.fifos[which].clear();
+  ChangeFollow(call).fifos[which].clear();
   return vm::kOk;
 }
 
@@ -169,7 +170,7 @@ size_t StartFifo(const Call& call, size_t profile) { return BitWord(call.value(1
 int16_t CheckFollowStart(Call& call, size_t profile) {
   const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kFollow);
   if (code != vm::kOk) return code;
-  const FollowMode& follow = call.card.motion.state().profiles[profile].follow;
+  const FollowMode& follow = call.card.motion.profile(profile).follow;
   if (!follow.master.chosen) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("profile {0} has no master, call GT_SetFollowMaster",
@@ -191,8 +192,9 @@ int16_t GT_FollowStart(Call& call) {
   }
   motion::MotionCore& core = call.card.motion;
   for (const size_t profile : selected) {
-    core.state().profiles[profile].follow.fifo = static_cast<uint8_t>(StartFifo(call, profile));
-    core.StartProfile(profile);
+    const motion::ProfileHandle slave = core.ProfileAt(profile);
+    slave.follow().fifo = static_cast<uint8_t>(StartFifo(call, profile));
+    slave.Start();
   }
   return vm::kOk;
 }
@@ -202,7 +204,7 @@ namespace {
 int16_t CheckFollowSwitch(Call& call, size_t profile) {
   const int16_t code = CheckMode(call, profile, ProfileMode::kFollow);
   if (code != vm::kOk) return code;
-  const FollowMode& follow = call.card.motion.state().profiles[profile].follow;
+  const FollowMode& follow = call.card.motion.profile(profile).follow;
   if (!follow.running) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("profile {0} does not follow, call GT_FollowStart",
@@ -221,7 +223,7 @@ int16_t GT_FollowSwitch(Call& call) {
     if (const int16_t code = CheckFollowSwitch(call, profile); code != vm::kOk) return code;
   }
   for (const size_t profile : selected) {
-    call.card.motion.state().profiles[profile].follow.switching = true;
+    call.card.motion.ProfileAt(profile).follow().switching = true;
   }
   return vm::kOk;
 }

@@ -13,11 +13,12 @@ int16_t GT_EnableGantry(Call& call) {
                        MakeMessage("axis {0} cannot be both sides of a gantry",
                                    "轴 {0} 不能同时作为龙门的主轴与从轴", master + 1));
   }
-  if (core.state().gantry.on) {
+  const motion::Gantry& gantry = core.part<&motion::MotionState::gantry>();
+  if (gantry.on) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("axes {0} and {1} are a gantry already, call GT_DisableGantry",
                                    "轴 {0} 与轴 {1} 已构成龙门，请调用 GT_DisableGantry",
-                                   core.state().gantry.master + 1, core.state().gantry.slave + 1));
+                                   gantry.master + 1, gantry.slave + 1));
   }
   int16_t code = CheckAxisAtRest(call, master);
   if (code == vm::kOk) code = CheckAxisAtRest(call, slave);
@@ -27,7 +28,7 @@ int16_t GT_EnableGantry(Call& call) {
 }
 
 int16_t GT_DisableGantry(Call& call) {
-  const motion::Gantry& gantry = call.card.motion.state().gantry;
+  const motion::Gantry& gantry = call.card.motion.part<&motion::MotionState::gantry>();
   if (!gantry.on) return vm::kOk;
   const int16_t code = CheckAxisAtRest(call, gantry.master);
   if (code != vm::kOk) return code;
@@ -36,12 +37,12 @@ int16_t GT_DisableGantry(Call& call) {
 }
 
 int16_t GT_SetGantryErrLmt(Call& call) {
-  call.card.motion.state().gantry.error_limit = call.integer(0);
+  call.card.motion.SetGantryErrorLimit(call.integer(0));
   return vm::kOk;
 }
 
 int16_t GT_GetGantryErrLmt(Call& call) {
-  call.Set(0, call.card.motion.state().gantry.error_limit);
+  call.Set(0, call.card.motion.part<&motion::MotionState::gantry>().error_limit);
   return vm::kOk;
 }
 

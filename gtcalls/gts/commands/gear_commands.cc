@@ -10,7 +10,8 @@ namespace {
 using motion::GearMode;
 using motion::ProfileMode;
 
-GearMode& GearOf(const Call& call) { return ChangeProfile(call).gear; }
+const GearMode& GearOf(const Call& call) { return ProfileOf(call).gear; }
+GearMode& ChangeGear(const Call& call) { return ProfileAt(call).gear(); }
 
 int16_t CheckGear(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kGear); }
 
@@ -20,7 +21,7 @@ int16_t GT_PrfGear(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kGear, GearOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kGear);
-  if (code == vm::kOk) GearOf(call).direction = direction;
+  if (code == vm::kOk) ChangeGear(call).direction = direction;
   return code;
 }
 
@@ -28,7 +29,7 @@ int16_t GT_SetGearMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
-  if (code == vm::kOk) GearOf(call).master = *master;
+  if (code == vm::kOk) ChangeGear(call).master = *master;
   return code;
 }
 
@@ -46,7 +47,7 @@ int16_t GT_SetGearRatio(Call& call) {
   }
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
-  GearMode& gear = GearOf(call);
+  GearMode& gear = ChangeGear(call);
   gear.master_even = call.integer(1);
   gear.slave_even = call.integer(2);
   gear.slope = call.integer(3);
@@ -77,7 +78,7 @@ int16_t GT_SetGearEvent(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
   if (code != vm::kOk) return code;
-  GearMode& gear = GearOf(call);
+  GearMode& gear = ChangeGear(call);
   gear.event = *event;
   gear.event_first = call.integer(2);
   gear.event_last = call.integer(3);
@@ -99,7 +100,7 @@ namespace {
 int16_t CheckGearStart(Call& call, size_t profile) {
   const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kGear);
   if (code != vm::kOk) return code;
-  const GearMode& gear = call.card.motion.state().profiles[profile].gear;
+  const GearMode& gear = call.card.motion.profile(profile).gear;
   if (!gear.master.chosen) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("profile {0} has no master, call GT_SetGearMaster",
@@ -121,7 +122,7 @@ int16_t GT_GearStart(Call& call) {
   for (const size_t profile : selected) {
     if (const int16_t code = CheckGearStart(call, profile); code != vm::kOk) return code;
   }
-  for (const size_t profile : selected) call.card.motion.StartProfile(profile);
+  for (const size_t profile : selected) call.card.motion.ProfileAt(profile).Start();
   return vm::kOk;
 }
 

@@ -92,8 +92,7 @@ int16_t CheckMembers(Call& call, motion::HomeMode mode) {
 
 /// Refuses; GT_GetHomeStatus then also reports the reason.
 int16_t RefuseHoming(Call& call, HomeError error) {
-  Homing& homing = call.card.motion.state().homing[NumberOf(call)];
-  if (!homing.running) homing.error = error;
+  call.card.motion.HomingAt(NumberOf(call)).Refuse(error);
   const size_t axis = NumberOf(call) + 1;
   switch (error) {
     case HomeError::kNotTrap:
@@ -150,7 +149,7 @@ int16_t GT_GoHome(Call& call) {
   p.home_distance = static_cast<int32_t>(cells[kSearchHomeDistance]);
   p.index_distance = static_cast<int32_t>(cells[kSearchIndexDistance]);
   p.escape = static_cast<int32_t>(cells[kEscapeStep]);
-  call.card.motion.BeginHoming(NumberOf(call), p);
+  call.card.motion.HomingAt(NumberOf(call)).Begin(p);
   return vm::kOk;
 }
 
@@ -191,14 +190,7 @@ int16_t GT_GetHomeStatus(Call& call) {
 // --- Simple homing ---------------------------------------------------------------------------
 
 int16_t GT_HomeInit(Call& call) {
-  for (Homing& homing : call.card.motion.state().homing) {
-    homing.prepared = true;
-    homing.index_follows = false;
-    if (homing.running || homing.kind == HomeKind::kSmart) continue;
-    homing.kind = HomeKind::kSmart;
-    homing.error = HomeError::kNone;
-    homing.found = false;
-  }
+  for (size_t i = 0; i < kAxisMax; ++i) call.card.motion.HomingAt(i).Prepare();
   return vm::kOk;
 }
 
@@ -229,7 +221,8 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
     return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not enabled, call GT_AxisOn",
                                                  "轴 {0} 未使能，请调用 GT_AxisOn", axis + 1));
   }
-  call.card.motion.BeginSimpleHoming(axis, kind, call.integer(1), velocity, acceleration, offset);
+  call.card.motion.HomingAt(axis).BeginSimple(kind, call.integer(1), velocity, acceleration,
+                                              offset);
   return vm::kOk;
 }
 
@@ -255,7 +248,7 @@ int16_t GT_Index(Call& call) {
     if (code == vm::kOk) code = CheckReadyToHome(call);
   }
   if (code != vm::kOk) return code;
-  call.card.motion.SetIndexSearch(axis, call.integer(1), call.integer(2));
+  call.card.motion.HomingAt(axis).SetIndexSearch(call.integer(1), call.integer(2));
   return vm::kOk;
 }
 

@@ -12,7 +12,7 @@ using motion::LaserMode;
 
 /// The laser of the channel in an argument.
 Laser& LaserAt(Call& call, size_t argument) {
-  return call.card.motion.state().lasers.channels[static_cast<size_t>(call.integer(argument))];
+  return call.card.motion.laser(static_cast<size_t>(call.integer(argument)));
 }
 
 int16_t RefuseBounds(Call& call, double least, double most) {

@@ -38,12 +38,6 @@ constexpr size_t kRelationCells = 35;
 /// Times, ratios and scales are below this.
 constexpr double kFactorBound = 1e9;
 
-void DropPlanners(const Call& call) {
-  for (CrdFifo& fifo : ChangeCrd(call).fifos) {
-    if (fifo.plans_axes()) fifo.planner.Reset();
-  }
-}
-
 }  // namespace
 
 // --- Set-up and settings -----------------------------------------------------------------------
@@ -71,7 +65,7 @@ int16_t GT_SetupLookAheadCrd(Call& call) {
   const bool three_axes = setup.mode == MachineMode::kThreeAxes;
   setup.axis_limits.fill(three_axes ? 0 : kLimitsAll);
   setup.geometric = setup.mode != MachineMode::kMultiAxes;
-  DropPlanners(call);
+  CrdAt(call).DropPlanners();
   return vm::kOk;
 }
 
@@ -293,13 +287,7 @@ PathLimits LimitsOf(const Call& call) {
 
 /// Begins a planner for the command's buffer.
 void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
-  CrdFifo& fifo = ChangeFifo(call);
-  const motion::Coordinates start =
-      fifo.Remaining() == 0 ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
-  // The planner's path begins at rest, also after a segment with an end velocity.
-  if (!fifo.looks_ahead()) ChangeCrd(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
-  fifo.planner.Emplace({.limits = limits, .capacity = static_cast<size_t>(window)});
-  fifo.tail = start;
+  CrdAt(call).BeginPlanner(FifoNumber(call), limits, static_cast<size_t>(window));
   BufferOf(call) = {};
 }
 
@@ -324,17 +312,11 @@ int16_t GT_InitLookAheadEx(Call& call) {
   LookAheadBuffer& buffer = BufferOf(call);
   buffer.scale = call.cells(1)[kScaleCells];
   if (call.value(3) == 0) return vm::kOk;
-  CrdFifo& fifo = ChangeFifo(call);
-  motion::VirtualRun& run = fifo.planner->virtual_run;
-  run.on = true;
-  run.cycle = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
-  for (size_t i = 0; i < run.moved.size(); ++i) {
-    run.moved[i] = call.card.motion.state().profiles[i].now.position;
-  }
-  run.end = fifo.tail;
+  motion::Coordinates begin = FifoOf(call).tail;
   for (size_t i = 0; call.given(4) && i < CrdOf(call).dimension(); ++i) {
-    run.end[i] = call.cells(4)[i] * buffer.scale;
+    begin[i] = call.cells(4)[i] * buffer.scale;
   }
+  CrdAt(call).BeginVirtualRun(FifoNumber(call), begin);
   return vm::kOk;
 }
 
@@ -381,7 +363,7 @@ int16_t GT_CrdDataEx(Call& call) {
   }
   if (code == vm::kOk) code = CheckInitialised(call);
   if (code != vm::kOk) return code;
-  if (ChangeFifo(call).Flush()) {
+  if (CrdAt(call).Flush(FifoNumber(call))) {
     BufferOf(call).awaits_start = true;
     BufferOf(call).auxiliaries = 0;
     return vm::kOk;

@@ -32,7 +32,7 @@ constexpr double kHalfCircleError = 1e-6;
 
 /// Where a segment appended now begins.
 Coordinates StartOf(const Call& call) {
-  motion::CrdFifo& fifo = ChangeFifo(call);
+  const motion::CrdFifo& fifo = FifoOf(call);
   if (fifo.is_virtual()) return fifo.Tail();
   if (!BufferOf(call).has_start) return PathEnd(call);
   // What runs before the segment does not bring the axes to the start point.
@@ -188,8 +188,8 @@ int16_t AppendSegmentInMm(Call& call) {
   LookAheadBuffer& buffer = BufferOf(call);
   if (buffer.awaits_start) {
     // A path that has not been executed yet goes on at its end, whichever point is given.
-    motion::CrdFifo& fifo = ChangeFifo(call);
-    if (fifo.idle() || fifo.is_virtual()) fifo.Tail() = request.end;
+    const motion::CrdFifo& fifo = FifoOf(call);
+    if (fifo.idle() || fifo.is_virtual()) CrdAt(call).SetTail(FifoNumber(call), request.end);
     buffer.awaits_start = false;
     buffer.has_start = true;
     return vm::kOk;

@@ -45,7 +45,7 @@ int16_t ChooseMode(Call& call, size_t profile, ProfileMode mode) {
   int16_t code = CheckNotHoming(call, profile);
   if (code == vm::kOk) code = CheckAtRest(call, profile);
   if (code != vm::kOk) return code;
-  call.card.motion.state().profiles[profile].mode = mode;
+  call.card.motion.ProfileAt(profile).SelectMode(mode);
   return vm::kOk;
 }
 

@@ -26,12 +26,12 @@ inline const motion::Profile& ProfileOf(const Call& call) {
 inline const motion::Axis& AxisOf(const Call& call) {
   return call.card.motion.axis(NumberOf(call));
 }
-/// The same to change it, which takes the card out of its lanes.
-inline motion::Profile& ChangeProfile(const Call& call) {
-  return call.card.motion.state().profiles[NumberOf(call)];
+/// The same to command it.
+inline motion::ProfileHandle ProfileAt(const Call& call) {
+  return call.card.motion.ProfileAt(NumberOf(call));
 }
-inline motion::Axis& ChangeAxis(const Call& call) {
-  return call.card.motion.state().axes[NumberOf(call)];
+inline motion::AxisHandle AxisAt(const Call& call) {
+  return call.card.motion.AxisAt(NumberOf(call));
 }
 
 /// 0, or 1 with the reason when the profile moves.

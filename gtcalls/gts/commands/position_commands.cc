@@ -28,7 +28,7 @@ int16_t GT_GetPrfMode(Call& call) {
 
 int16_t GT_SetPrfPos(Call& call) {
   const int16_t code = CheckAtRest(call, NumberOf(call));
-  if (code == vm::kOk) call.card.motion.SetProfilePosition(NumberOf(call), call.value(1));
+  if (code == vm::kOk) ProfileAt(call).SetPosition(call.value(1));
   return code;
 }
 
@@ -72,10 +72,12 @@ namespace {
 /// Assumption: the bit of a coordinate system selects the axes to which its profiles are mapped.
 void SynchMembers(const Call& call, size_t crd) {
   motion::MotionCore& core = call.card.motion;
+  const motion::Crd& system = core.part<&motion::MotionState::crds>()[crd];
   for (size_t axis = 0; axis < core.axis_count(); ++axis) {
-    for (size_t i = 0; i < core.state().crds[crd].dimension(); ++i) {
-      const auto member = static_cast<unsigned>(core.state().crds[crd].members[i]);
-      if ((core.state().axes[axis].profile_map >> member & 1) != 0) core.SynchAxis(axis);
+    const uint32_t map = core.axis(axis).profile_map;
+    for (size_t i = 0; i < system.dimension(); ++i) {
+      const auto member = static_cast<unsigned>(system.members[i]);
+      if ((map >> member & 1) != 0) core.AxisAt(axis).SynchPosition();
     }
   }
 }
@@ -87,7 +89,7 @@ int16_t GT_SynchAxisPos(Call& call) {
   const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, BitWord(call.value(0))));
   if (axes.empty() && crds.empty()) return vm::kRefused;
   call.reason = {};
-  for (const size_t axis : axes) call.card.motion.SynchAxis(axis);
+  for (const size_t axis : axes) call.card.motion.AxisAt(axis).SynchPosition();
   for (const size_t crd : crds) SynchMembers(call, crd);
   return vm::kOk;
 }
@@ -100,7 +102,7 @@ int16_t GT_ZeroPos(Call& call) {
     if (code == vm::kOk) code = CheckAxisAtRest(call, axis);
     if (code != vm::kOk) return code;
   }
-  for (size_t axis = first; axis < end; ++axis) call.card.motion.ZeroAxis(axis);
+  for (size_t axis = first; axis < end; ++axis) call.card.motion.AxisAt(axis).ZeroPosition();
   return vm::kOk;
 }
 
@@ -125,7 +127,7 @@ int16_t GT_GetEncVel(Call& call) {
 }
 
 int16_t GT_SetEncPos(Call& call) {
-  call.card.motion.SetEncoderPosition(NumberOf(call), call.value(1));
+  call.card.motion.EncoderAt(NumberOf(call)).SetPosition(call.value(1));
   return vm::kOk;
 }
 

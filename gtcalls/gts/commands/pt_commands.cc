@@ -12,7 +12,8 @@ using motion::PtMode;
 
 int16_t CheckPt(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kPt); }
 
-PtMode& PtOf(const Call& call) { return ChangeProfile(call).pt; }
+const PtMode& PtOf(const Call& call) { return ProfileOf(call).pt; }
+PtMode& ChangePt(const Call& call) { return ProfileAt(call).pt(); }
 
 size_t PtBufferOf(const Call& call, size_t index) {
   return static_cast<size_t>(call.integer(index));
@@ -22,7 +23,7 @@ size_t PtBufferOf(const Call& call, size_t index) {
 
 int16_t GT_PrfPt(Call& call) {
   const int16_t code = ChooseMode(call, NumberOf(call), ProfileMode::kPt);
-  if (code == vm::kOk) PtOf(call).SetDynamic(call.integer(1) != 0);
+  if (code == vm::kOk) ChangePt(call).SetDynamic(call.integer(1) != 0);
   return code;
 }
 
@@ -31,7 +32,7 @@ int16_t GT_PrfPt(Call& call) {
 int16_t GT_SetPtMemory(Call& call) {
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kPt);
   if (code != vm::kOk) return code;
-  PtMode& pt = PtOf(call);
+  const PtMode& pt = PtOf(call);
   const bool large = call.integer(1) != 0;
   if (large != pt.large_memory && !pt.Empty()) {
     return call.Refuse(vm::kRefused,
@@ -41,7 +42,7 @@ int16_t GT_SetPtMemory(Call& call) {
                                    "再改变其大小",
                                    call.integer(0)));
   }
-  pt.large_memory = large;
+  ChangePt(call).large_memory = large;
   return vm::kOk;
 }
 
@@ -65,7 +66,7 @@ namespace {
 int16_t Append(Call& call, size_t buffer, int32_t number) {
   const int16_t code = CheckPt(call);
   if (code != vm::kOk) return code;
-  PtMode& pt = PtOf(call);
+  PtMode& pt = ChangePt(call);
   const int32_t time = call.integer(2);
   if (time <= pt.LastTime(buffer)) {
     return call.Refuse(vm::kBadParameter,
@@ -108,7 +109,7 @@ int16_t GT_GetPtRemainder(Call& call) {
 int16_t GT_PtClear(Call& call) {
   const int16_t code = CheckPt(call);
   if (code != vm::kOk) return code;
-  PtMode& pt = PtOf(call);
+  PtMode& pt = ChangePt(call);
   const size_t buffer = PtBufferOf(call, 1);
   if (pt.running && (pt.dynamic || pt.run_buffer == buffer)) {
     return call.Refuse(
@@ -124,7 +125,7 @@ int16_t GT_PtClear(Call& call) {
 
 int16_t GT_SetPtLoop(Call& call) {
   const int16_t code = CheckPt(call);
-  if (code == vm::kOk) PtOf(call).loop_target = call.integer(1);
+  if (code == vm::kOk) ChangePt(call).loop_target = call.integer(1);
   return code;
 }
 
@@ -138,22 +139,21 @@ int16_t GT_PtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   const uint32_t option = BitWord(call.value(1));
-  auto& states = call.card.motion.state().profiles;
   for (const size_t i : profiles) {
+    const PtMode& pt = call.card.motion.profile(i).pt;
     int16_t code = CheckModeAtRest(call, i, ProfileMode::kPt);
-    if (code == vm::kOk) {
-      code = CheckMayStart(call, i, states[i].pt.Direction(option >> i & 1));
-    }
+    if (code == vm::kOk) code = CheckMayStart(call, i, pt.Direction(option >> i & 1));
     if (code != vm::kOk) return code;
-    if (!states[i].pt.HasData(option >> i & 1)) {
+    if (!pt.HasData(option >> i & 1)) {
       return call.Refuse(vm::kRefused,
                          MakeMessage("the PT buffer of profile {0} is empty, call GT_PtData first",
                                      "规划器 {0} 的 PT 缓存区为空，请先调用 GT_PtData", i + 1));
     }
   }
   for (const size_t i : profiles) {
-    if (!states[i].pt.dynamic) states[i].pt.run_buffer = option >> i & 1;
-    call.card.motion.StartProfile(i);
+    const motion::ProfileHandle profile = call.card.motion.ProfileAt(i);
+    if (!profile.pt().dynamic) profile.pt().run_buffer = option >> i & 1;
+    profile.Start();
   }
   return vm::kOk;
 }

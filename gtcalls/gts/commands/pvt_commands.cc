@@ -26,10 +26,11 @@ constexpr double kElementAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }
 
-PvtMode& PvtOf(const Call& call) { return ChangeProfile(call).pvt; }
+const PvtMode& PvtOf(const Call& call) { return ProfileOf(call).pvt; }
+PvtMode& ChangePvt(const Call& call) { return ProfileAt(call).pvt(); }
 
-std::array<PvtTablePointer, motion::kPvtTableCount>& TablesOf(const Call& call) {
-  return call.card.motion.state().pvt_tables;
+const std::array<PvtTablePointer, motion::kPvtTableCount>& TablesOf(const Call& call) {
+  return call.card.motion.part<&motion::MotionState::pvt_tables>();
 }
 
 // --- Ranges ----------------------------------------------------------------------------------
@@ -103,7 +104,7 @@ int16_t Fill(Call& call, PvtTable table) {
                                    "该描述占用 {0} 个存储空间；每个数据表只有 {1} 个",
                                    table.slots(), kPvtPointMax));
   }
-  TablesOf(call)[NumberOf(call)] = std::make_shared<const PvtTable>(std::move(table));
+  call.card.motion.SetPvtTable(NumberOf(call), std::make_shared<const PvtTable>(std::move(table)));
   return vm::kOk;
 }
 
@@ -217,7 +218,7 @@ int16_t GT_PrfPvt(Call& call) { return ChooseMode(call, NumberOf(call), ProfileM
 
 int16_t GT_SetPvtLoop(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
-  if (code == vm::kOk) PvtOf(call).loop_target = call.integer(1);
+  if (code == vm::kOk) ChangePvt(call).loop_target = call.integer(1);
   return code;
 }
 
@@ -245,7 +246,7 @@ int16_t GT_PvtTableSelect(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const size_t table = NumberOf(call, 1);
-  PvtMode& pvt = PvtOf(call);
+  PvtMode& pvt = ChangePvt(call);
   if (pvt.running && TablesOf(call)[table] == nullptr) return RefuseEmpty(call, table);
   pvt.Select(static_cast<uint16_t>(table), TablesOf(call)[table]);
   return vm::kOk;
@@ -254,19 +255,21 @@ int16_t GT_PvtTableSelect(Call& call) {
 int16_t GT_PvtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
-  auto& states = call.card.motion.state().profiles;
   for (const size_t i : profiles) {
     int16_t code = CheckModeAtRest(call, i, ProfileMode::kPvt);
-    const motion::PvtTable* table = TablesOf(call)[states[i].pvt.selected].get();
+    const size_t selected = call.card.motion.profile(i).pvt.selected;
+    const motion::PvtTable* table = TablesOf(call)[selected].get();
     if (code == vm::kOk) {
       code = CheckMayStart(call, i, table == nullptr ? 0 : table->Direction());
     }
     if (code != vm::kOk) return code;
-    if (table == nullptr) return RefuseEmpty(call, states[i].pvt.selected);
+    if (table == nullptr) return RefuseEmpty(call, selected);
   }
   for (const size_t i : profiles) {
-    states[i].pvt.next = TablesOf(call)[states[i].pvt.selected];
-    call.card.motion.StartProfile(i);
+    const motion::ProfileHandle profile = call.card.motion.ProfileAt(i);
+    PvtMode& pvt = profile.pvt();
+    pvt.next = TablesOf(call)[pvt.selected];
+    profile.Start();
   }
   return vm::kOk;
 }
@@ -278,7 +281,7 @@ int16_t GT_PvtStatus(Call& call) {
     if (code != vm::kOk) return code;
   }
   for (size_t i = 0; i < count; ++i) {
-    const PvtMode& pvt = call.card.motion.state().profiles[NumberOf(call) + i].pvt;
+    const PvtMode& pvt = call.card.motion.profile(NumberOf(call) + i).pvt;
     call.Set(1, (pvt.running ? pvt.current : pvt.selected) + 1, i);
     call.Set(2, pvt.time, i);
   }

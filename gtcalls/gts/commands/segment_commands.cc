@@ -157,7 +157,7 @@ int16_t FlushLookAhead(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotMixed(call);
   if (code != vm::kOk) return code;
-  if (ChangeFifo(call).Flush()) {
+  if (CrdAt(call).Flush(FifoNumber(call))) {
     BufferOf(call).auxiliaries = 0;
     return code;
   }

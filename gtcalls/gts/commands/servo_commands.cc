@@ -18,16 +18,15 @@ constexpr int kClosedLoopMode = 0;
 /// Maximum of the gains; the minimum is 0 (GE manual).
 constexpr double kGainMax = 32767;
 
-/// The controller and its chosen set, to read and to change them.
+/// The controller, to read and to change it.
 const Control& ControlOf(const Call& call) {
   const motion::MotionCore& core = call.card.motion;
   return core.state().controls[NumberOf(call)];
 }
-Control& ChangeControl(const Call& call) {
-  return call.card.motion.state().controls[NumberOf(call)];
+motion::ControlHandle ControlAt(const Call& call) {
+  return call.card.motion.ControlAt(NumberOf(call));
 }
 const PidSet& SetOf(const Call& call) { return ControlOf(call).sets[NumberOf(call, 1)]; }
-PidSet& ChangeSet(const Call& call) { return ChangeControl(call).sets[NumberOf(call, 1)]; }
 
 }  // namespace
 
@@ -35,16 +34,16 @@ PidSet& ChangeSet(const Call& call) { return ChangeControl(call).sets[NumberOf(c
 
 int16_t GT_CtrlMode(Call& call) {
   const size_t axis = NumberOf(call);
-  const motion::MotionState& state = call.card.motion.state();
+  const motion::MotionCore& core = call.card.motion;
   const bool closed = call.integer(1) == kClosedLoopMode;
-  if (state.axes[axis].servo_on) {
+  if (core.axis(axis).servo_on) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("the drive of axis {0} is enabled, call GT_AxisOff first",
                                    "轴 {0} 的驱动器已使能，请先调用 GT_AxisOff", axis + 1));
   }
   const int16_t code = CheckAxisAtRest(call, axis);
   if (code != vm::kOk) return code;
-  if (closed && !state.encoders[axis].external) {
+  if (closed && !core.encoder(axis).external) {
     return call.Refuse(
         vm::kRefused,
         MakeMessage("encoder {0} counts pulses; a closed loop needs the external encoder, call "
@@ -52,7 +51,7 @@ int16_t GT_CtrlMode(Call& call) {
                     "编码器 {0} 为脉冲计数方式；闭环控制需要外部编码器，请先调用 GT_EncOn",
                     axis + 1));
   }
-  call.card.motion.SetClosedLoop(axis, closed);
+  AxisAt(call).SetClosedLoop(closed);
   return vm::kOk;
 }
 
@@ -86,7 +85,7 @@ int16_t GT_SetPid(Call& call) {
                             : MakeMessage("{0} is {1}; at least 0 is expected",
                                           "{0} 为 {1}；不得小于 0", name, pid[i]));
   }
-  PidSet& set = ChangeSet(call);
+  PidSet set = SetOf(call);
   set.kp = pid[kKp];
   set.ki = pid[kKi];
   set.kd = pid[kKd];
@@ -95,6 +94,7 @@ int16_t GT_SetPid(Call& call) {
   set.integral_limit = static_cast<int32_t>(pid[kIntegralLimit]);
   set.derivative_limit = static_cast<int32_t>(pid[kDerivativeLimit]);
   set.limit = static_cast<int16_t>(pid[kOutputLimit]);
+  ControlAt(call).SetPidSet(NumberOf(call, 1), set);
   return vm::kOk;
 }
 
@@ -112,7 +112,7 @@ int16_t GT_GetPid(Call& call) {
 }
 
 int16_t GT_SetControlFilter(Call& call) {
-  ChangeControl(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
+  ControlAt(call).SelectPidSet(NumberOf(call, 1));
   return vm::kOk;
 }
 
@@ -122,8 +122,10 @@ int16_t GT_GetControlFilter(Call& call) {
 }
 
 int16_t GT_SetKvffFilter(Call& call) {
-  ChangeSet(call).kvff_filter = static_cast<int16_t>(call.integer(2));
-  ChangeSet(call).kvff_acc_max = call.value(3);
+  PidSet set = SetOf(call);
+  set.kvff_filter = static_cast<int16_t>(call.integer(2));
+  set.kvff_acc_max = call.value(3);
+  ControlAt(call).SetPidSet(NumberOf(call, 1), set);
   return vm::kOk;
 }
 
@@ -136,7 +138,7 @@ int16_t GT_GetKvffFilter(Call& call) {
 // --- Following error and encoder check -------------------------------------------------------
 
 int16_t GT_SetPosErr(Call& call) {
-  ChangeControl(call).error_limit = static_cast<int64_t>(call.value(1));
+  ControlAt(call).SetErrorLimit(static_cast<int64_t>(call.value(1)));
   return vm::kOk;
 }
 
@@ -146,10 +148,8 @@ int16_t GT_GetPosErr(Call& call) {
 }
 
 int16_t GT_SetEncResponseCheck(Call& call) {
-  motion::ResponseCheck& check = ChangeControl(call).check;
-  check.threshold = static_cast<int16_t>(call.integer(1));
-  check.min_velocity = call.value(2);
-  check.time = call.integer(3) * kTimeUnitUs;
+  ControlAt(call).SetResponseCheck(static_cast<int16_t>(call.integer(1)), call.value(2),
+                                   call.integer(3) * kTimeUnitUs);
   return vm::kOk;
 }
 
@@ -164,8 +164,7 @@ int16_t GT_GetEncResponseCheck(Call& call) {
 namespace {
 
 int16_t SwitchCheck(Call& call, bool on) {
-  ChangeControl(call).check.on = on;
-  ChangeControl(call).check.silent = false;
+  ControlAt(call).SwitchResponseCheck(on);
   return vm::kOk;
 }
 

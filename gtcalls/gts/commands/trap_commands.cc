@@ -48,8 +48,8 @@ int16_t GT_SetTrapPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
   if (code != vm::kOk) return code;
-  ChangeProfile(call).trap.parameters = {call.cells(1)[0], call.cells(1)[1], start,
-                                         static_cast<int16_t>(smooth)};
+  ProfileAt(call).SetParameters(motion::TrapParameters{call.cells(1)[0], call.cells(1)[1], start,
+                                                       static_cast<int16_t>(smooth)});
   return vm::kOk;
 }
 
@@ -67,7 +67,7 @@ int16_t GT_GetTrapPrm(Call& call) {
 int16_t GT_SetPos(Call& call) {
   int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
-  if (code == vm::kOk) call.card.motion.SetTarget(NumberOf(call), call.integer(1));
+  if (code == vm::kOk) ProfileAt(call).SetTarget(call.integer(1));
   return code;
 }
 
@@ -88,7 +88,7 @@ int16_t GT_SetJogPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
   if (code != vm::kOk) return code;
-  ChangeProfile(call).jog.parameters = {call.cells(1)[0], call.cells(1)[1], smooth};
+  ProfileAt(call).SetParameters(motion::JogParameters{call.cells(1)[0], call.cells(1)[1], smooth});
   return vm::kOk;
 }
 
@@ -123,7 +123,7 @@ int16_t CheckUpdated(Call& call, size_t profile) {
 int16_t GT_SetVel(Call& call) {
   int16_t code = CheckUpdated(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
-  if (code == vm::kOk) call.card.motion.SetVelocity(NumberOf(call), call.value(1));
+  if (code == vm::kOk) ProfileAt(call).SetVelocity(call.value(1));
   return code;
 }
 
@@ -157,7 +157,7 @@ int16_t GT_Update(Call& call) {
     }
     if (code != vm::kOk) return code;
   }
-  for (const size_t i : profiles) call.card.motion.StartProfile(i);
+  for (const size_t i : profiles) call.card.motion.ProfileAt(i).Start();
   return vm::kOk;
 }
 

@@ -102,8 +102,8 @@ void SetUpDrive(const MotorSetup& setup, const CardClock& clock, motion::MotionC
   const size_t index = FromZero(setup.axis);
   const double ms = clock.MsPerCoreMs();
   if (setup.drive == motion::DriveKind::kVelocity) {
-    core.state().drives[index] = motion::VelocityDrive(
-        setup.gain * ms, setup.tau_ms / ms, setup.friction * ms, core.config().ServoMs());
+    core.ConnectDrive(index, motion::VelocityDrive(setup.gain * ms, setup.tau_ms / ms,
+                                                   setup.friction * ms, core.config().ServoMs()));
   }
   core.WatchLimits(index, {setup.max_vel * ms, setup.max_acc * ms * ms});
 }
@@ -111,7 +111,7 @@ void SetUpDrive(const MotorSetup& setup, const CardClock& clock, motion::MotionC
 void SetUpMotor(const MotorSetup& setup, const CardClock& clock, motion::MotionCore& core) {
   const size_t index = FromZero(setup.axis);
   SetUpDrive(setup, clock, core);
-  core.state().index_marks[index] = {setup.index_offset, setup.index_period};
+  core.SetIndexMarks(index, {setup.index_offset, setup.index_period});
   core.PlaceMotor(index, setup.position);
 }
 
@@ -189,14 +189,12 @@ WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& c
 void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
                 motion::MotionCore& core) {
   for (const MotorSetup& motor : world.motors) SetUpMotor(motor, clock, core);
-  for (const SwitchSetup& contact : world.switches) {
-    core.state().switches.push_back(SwitchOf(contact));
-  }
-  if (!world.modules.empty()) {
-    for (motion::ExtensionModule& module : core.state().modules) module.present = false;
+  for (const SwitchSetup& contact : world.switches) core.AddSwitch(SwitchOf(contact));
+  for (size_t i = 0; i < motion::kModuleCount && !world.modules.empty(); ++i) {
+    core.module(i).present = false;
   }
   for (const ModuleEvent& module : world.modules) {
-    core.state().modules[static_cast<size_t>(module.module)].present = true;
+    core.module(static_cast<size_t>(module.module)).present = true;
   }
   ConnectBus(bus, core);
 }
@@ -204,17 +202,8 @@ void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
 void FollowClock(const World& world, const BusSetup& bus, const CardClock& clock,
                  motion::MotionCore& core) {
   for (const MotorSetup& motor : world.motors) SetUpDrive(motor, clock, core);
-  const auto events = std::make_shared<const WorldEvents>(EventsOf(world, bus, clock));
-  motion::MotionState& state = core.state();
   // The events that have happened are the same ones, and come before the others as they did.
-  for (size_t i = 0; i < state.world.next; ++i) {
-    const WorldEvent& event = (*events)[i];
-    if (event.kind == WorldEventKind::kHand) state.plants[event.item].hand = event.value;
-    if (event.kind == WorldEventKind::kEncoderDrift) {
-      state.encoder_faults[event.item].drift = event.value;
-    }
-  }
-  state.world.events = events;
+  core.SetEvents(std::make_shared<const WorldEvents>(EventsOf(world, bus, clock)));
 }
 
 }  // namespace oncard::runtime

@@ -16,12 +16,12 @@ int16_t Move(Call& call) {
                                                       "acceleration 为 {}；应大于 0", motion[1]));
   }
   const auto axis = static_cast<size_t>(call.integer(0) - 1);
-  motion::Profile& profile = call.card.motion.state().profiles[axis];
-  profile.mode = motion::ProfileMode::kJog;
-  profile.jog.parameters = {motion[1], motion[1], 0};
-  profile.jog.velocity = motion[0];
-  call.card.motion.ServoOn(axis);
-  call.card.motion.StartProfile(axis);
+  const motion::ProfileHandle profile = call.card.motion.ProfileAt(axis);
+  profile.SelectMode(motion::ProfileMode::kJog);
+  profile.SetParameters(motion::JogParameters{motion[1], motion[1], 0});
+  profile.SetVelocity(motion[0]);
+  call.card.motion.AxisAt(axis).ServoOn();
+  profile.Start();
   return vm::kOk;
 }
 

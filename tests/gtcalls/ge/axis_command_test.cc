@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/gtcalls/ge/ge_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -87,9 +88,9 @@ TEST(GeDrives, EndTheMotionWhenTheyAreSwitchedOff) {
 TEST(GeDrives, BeginWhereTheAxisIs) {
   GeTestCard card("GE-200-PV");
   card.motion.PlaceMotor(0, 0);
-  card.motion.state().plants[0].hand = 2;
+  ChangeState(card.motion).plants[0].hand = 2;
   card.Run(100);
-  card.motion.state().plants[0].hand = 0;
+  ChangeState(card.motion).plants[0].hand = 0;
   EXPECT_EQ(card.Read("GT_GetAtlPos", {1}), 200);
   EXPECT_EQ(card.Read("GT_GetAtlErr", {1}), -200);
   card.Do("GT_AxisOn", {1});

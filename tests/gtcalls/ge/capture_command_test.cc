@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/ge/ge_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -16,7 +17,7 @@ TEST(GeCapture, IsArmedOnceUntilItsEventIsCleared) {
     card.Refuses(1, kCaptureBusy, command, {1});
   }
   card.Do("GT_SetAtlPos", {1, 321});
-  card.motion.state().capture.Edge(DiType::kHome, 0, false, [](size_t) { return 320.75; });
+  ChangeState(card.motion).capture.Edge(DiType::kHome, 0, false, [](size_t) { return 320.75; });
   EXPECT_TRUE(card.StatusBit(1, 3));
   EXPECT_FALSE(card.StatusBit(1, 14));
   EXPECT_EQ(card.Read("GT_GetCapt", {1}), 321);
@@ -37,7 +38,7 @@ TEST(GeCapture, OfTheHomeInputIsByDefaultAtTheFallingEdge) {
     GeTestCard card;
     card.Do("GT_HomeSns", {c.sense});
     card.Do("GT_CaptHome", {3});
-    auto& captures = card.motion.state().capture;
+    auto& captures = card.motion.capture();
     captures.Edge(DiType::kHome, 2, !c.rising, [](size_t) { return 1.0; });
     EXPECT_FALSE(card.StatusBit(3, 3)) << c.sense;
     captures.Edge(DiType::kHome, 2, c.rising, [](size_t) { return 2.0; });

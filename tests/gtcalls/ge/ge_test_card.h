@@ -14,6 +14,7 @@
 #include "gtcalls/ge/command_register.h"
 #include "gtcalls/ge/gep_family.h"
 #include "motion/common/state_hash.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 
@@ -96,7 +97,7 @@ class GeTestCard {
   }
   /// Drives an input of an axis, or a general one, until the card has accepted it.
   void SetInput(motion::DiType type, int bit, bool level) {
-    motion.state().io.SetPin(type, bit, level);
+    ChangeState(motion).io.SetPin(type, bit, level);
     Run(2);
   }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/ge/ge_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -23,7 +24,7 @@ TEST(GeInputs, AreLevels) {
 
 TEST(GeInputs, AreFilteredForThreeCycles) {
   GeTestCard card;
-  card.motion.state().io.SetPin(DiType::kGpi, 0, true);
+  ChangeState(card.motion).io.SetPin(DiType::kGpi, 0, true);
   card.Cycle();
   card.Cycle();
   EXPECT_EQ(card.Read("GT_ExInpt"), 0);
@@ -45,7 +46,7 @@ TEST(GeAdc, HasTwelveBits) {
   } cases[] = {{0, 0}, {10, 2047}, {-10, -2048}, {5, 1024}, {-0.01, -2}, {12, 2047}};
   GeTestCard card;
   for (const auto& c : cases) {
-    card.motion.state().adcs[7].volts = c.volts;
+    ChangeState(card.motion).adcs[7].volts = c.volts;
     EXPECT_EQ(card.Read("GT_GetAdc", {8}), c.value) << c.volts;
   }
   for (const double channel : {0.0, 9.0}) card.Refuses(7, kIllegal, "GT_GetAdc", {channel});

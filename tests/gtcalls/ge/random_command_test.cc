@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/gtcalls/ge/ge_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -69,8 +70,8 @@ TEST_P(RandomCalls, NeverFail) {
     ASSERT_TRUE(reads_cause || (card.Cause() == 0) == (code == 0)) << command.name;
     if (random_() % 16 == 0) {
       const auto bit = static_cast<int>(random_() % 8);
-      card.motion.state().io.SetPin(static_cast<motion::DiType>(random_() % 5), bit,
-                                    random_() % 2 == 0);
+      ChangeState(card.motion)
+          .io.SetPin(static_cast<motion::DiType>(random_() % 5), bit, random_() % 2 == 0);
     }
     for (auto cycles = random_() % 20; cycles > 0; --cycles) card.Cycle();
     for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/ge/ge_test_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -12,7 +13,7 @@ class LaggingCard : public GeTestCard {
  public:
   LaggingCard() : GeTestCard("GE-400-PV") {
     Do("GT_AxisOn", {1});
-    motion.state().plants[0].stalled = true;
+    ChangeState(motion).plants[0].stalled = true;
     MoveT(1, 100, 10, 1);
     RunToRest(1);
     EXPECT_EQ(Read("GT_GetAtlErr", {1}), 100);
@@ -72,7 +73,7 @@ TEST(GeFollowingError, SetsItsBitAndStopsWithAutoStop) {
     card.Do("GT_AxisOn", {1});
     card.Do("GT_SetPosErr", {1, 50});
     card.Do(stops ? "GT_AuStpOn" : "GT_AuStpOff", {1});
-    card.motion.state().plants[0].stalled = true;
+    ChangeState(card.motion).plants[0].stalled = true;
     card.MoveT(1, 1000, 10, 1);
     card.Run(20);
     EXPECT_TRUE(card.StatusBit(1, 4));
@@ -90,7 +91,7 @@ TEST(GeFollowingError, IsNotJudgedWithPulses) {
   card.Do("GT_EncOn", {1});
   card.Do("GT_SetPosErr", {1, 50});
   card.Do("GT_AxisOn", {1});
-  card.motion.state().plants[0].stalled = true;
+  ChangeState(card.motion).plants[0].stalled = true;
   card.MoveT(1, 1000, 10, 1);
   card.RunToRest(1);
   EXPECT_EQ(card.Read("GT_GetAtlErr", {1}), 1000);

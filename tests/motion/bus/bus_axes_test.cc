@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr size_t kX = 0;
 
 void Jog(BusCard& card, double velocity, size_t axis = kX) {
-  Profile& profile = card.core.state().profiles[axis];
+  Profile& profile = ChangeState(card.core).profiles[axis];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = velocity;
   profile.jog.parameters = {.acc = 1, .dec = 1};
@@ -90,10 +91,10 @@ TEST(BusAxes, AFaultIsResetByClearingTheStatus) {
   card.Ticks(2);
   EXPECT_NE(card.axis().latched & kAlarmBit, 0u);
   EXPECT_FALSE(card.axis().servo_on);
-  card.core.ClearStatus(0);
+  card.core.AxisAt(0).ClearStatus();
   card.Ticks(3);
   EXPECT_EQ(card.axis().latched & kAlarmBit, 0u);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(4);
   EXPECT_TRUE(card.axis().servo_on);
 }
@@ -103,7 +104,7 @@ TEST(BusAxes, NothingMovesBeforeTheStart) {
   card.Power();
   card.bus().Init(card.core.now());
   card.Ticks(900);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(20);
   EXPECT_FALSE(card.axis().servo_on);
   EXPECT_EQ(card.drive().state(), DriveState::kSwitchOnDisabled);
@@ -160,10 +161,10 @@ TEST(BusAxes, ZeroingThePositionMovesNothing) {
   card.Enable();
   Jog(card, 10);
   card.Ticks(400);
-  card.core.StopProfile(0, true);
+  card.core.ProfileAt(0).Stop(true);
   card.Ticks(8);
   const double place = card.motor().position;
-  card.core.ZeroAxis(0);
+  card.core.AxisAt(0).ZeroPosition();
   card.Ticks(8);
   EXPECT_EQ(card.motor().position, place);
   EXPECT_EQ(card.encoder(), 0);
@@ -180,7 +181,7 @@ TEST(BusAxes, TheCommunicationOutlivesAReset) {
   EXPECT_TRUE(card.bus().started());
   EXPECT_FALSE(card.axis().servo_on);
   EXPECT_EQ(card.encoder(), 0);
-  card.core.ServoOn(0);
+  card.core.AxisAt(0).ServoOn();
   card.Ticks(8);
   EXPECT_TRUE(card.axis().servo_on);
   EXPECT_EQ(card.core.state().profiles[0].now.position, 0);
@@ -192,7 +193,7 @@ TEST(BusAxes, ACardWithoutABusHasTheHashThatItHadBefore) {
   const auto slaves = std::make_shared<const Slaves>(Slaves{FullDrive(0)});
   with.ConnectBus(slaves, slaves);
   EXPECT_NE(plain.Hash(), with.Hash());
-  with.state().bus = {};
+  ChangeState(with).bus = {};
   EXPECT_EQ(plain.Hash(), with.Hash());
 }
 
@@ -205,10 +206,10 @@ TEST(BusAxes, ACopyOfTheStateContinuesInTheSameWay) {
   const MotionState copy = card.core.state();
   card.Ticks(50);
   const uint64_t end = card.core.Hash();
-  card.core.state() = copy;
+  ChangeState(card.core) = copy;
   card.Ticks(50);
   EXPECT_EQ(card.core.Hash(), end);
-  card.core.state() = copy;
+  ChangeState(card.core) = copy;
   card.core.Advance(50);
   EXPECT_EQ(card.core.Hash(), end);
 }
@@ -255,11 +256,11 @@ constexpr Disturbance kDisturbances[] = {
     {"a motor is moved", [](BusCard& card) { card.motor().position += 7; }},
     {"a motor that is off is turned by hand", [](BusCard& card) { card.motor(2).hand = 1; }},
     {"a motor that is off is moved", [](BusCard& card) { card.motor(2).position += 0.25; }},
-    {"a pin changes", [](BusCard& card) { card.core.state().io.SetPin(DiType::kHome, kX, true); }},
+    {"a pin changes",
+     [](BusCard& card) { card.core.digital_io().SetPin(DiType::kHome, kX, true); }},
     {"a switch operates",
      [](BusCard& card) {
-       card.core.state().switches.push_back(
-           {.axis = kX, .type = DiType::kHome, .first = -1e6, .last = 1e6});
+       card.core.AddSwitch({.axis = kX, .type = DiType::kHome, .first = -1e6, .last = 1e6});
      }},
     {"the axis has not yet followed", [](BusCard& card) { card.link().follows = false; }},
     {"the axis is not yet enabled", [](BusCard& card) { card.axis(1).servo_on = false; }},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/motion_core.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 
@@ -42,15 +43,15 @@ class BusCard {
   /// The same, with the drives of all axes enabled.
   void Enable(size_t axes = 1) {
     Up();
-    for (size_t i = 0; i < axes; ++i) core.ServoOn(i);
+    for (size_t i = 0; i < axes; ++i) core.AxisAt(i).ServoOn();
     Ticks(8);
   }
-  Bus& bus() { return core.state().bus->line; }
+  Bus& bus() { return ChangeState(core).bus->line; }
   BusDrive& drive(size_t slave = 0) { return *bus().slave(slave).drive; }
   int64_t object(ObjectId id, size_t slave = 0) { return drive(slave).values()[id]; }
-  Plant& motor(size_t axis = 0) { return core.state().plants[axis]; }
-  Axis& axis(size_t number = 0) { return core.state().axes[number]; }
-  BusAxis& link(size_t axis = 0) { return core.state().bus->axes[axis]; }
+  Plant& motor(size_t axis = 0) { return ChangeState(core).plants[axis]; }
+  Axis& axis(size_t number = 0) { return ChangeState(core).axes[number]; }
+  BusAxis& link(size_t axis = 0) { return ChangeState(core).bus->axes[axis]; }
   double encoder(size_t axis = 0) { return core.state().encoders[axis].position; }
 
   MotionCore core;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 namespace {
@@ -37,10 +38,10 @@ class DriveInMode : public ::testing::Test {
 };
 
 TEST_F(DriveInMode, ReachesOperationEnabledInOneTransitionPerCycle) {
-  card_.core.ServoOff(0);
+  card_.core.AxisAt(0).ServoOff();
   card_.Ticks(8);
   EXPECT_EQ(card_.drive().state(), DriveState::kReadyToSwitchOn);
-  card_.core.ServoOn(0);
+  card_.core.AxisAt(0).ServoOn();
   card_.Ticks(1);
   EXPECT_EQ(card_.drive().state(), DriveState::kSwitchedOn);
   EXPECT_FALSE(card_.axis().servo_on);
@@ -50,7 +51,7 @@ TEST_F(DriveInMode, ReachesOperationEnabledInOneTransitionPerCycle) {
 }
 
 TEST_F(DriveInMode, FollowsThePlannedPositionInMode8) {
-  Profile& profile = card_.core.state().profiles[0];
+  Profile& profile = ChangeState(card_.core).profiles[0];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = 10;
   profile.jog.parameters = {.acc = 1, .dec = 1};
@@ -89,7 +90,7 @@ TEST_F(DriveInMode, RampsToTheCommandedVelocityInMode3) {
 }
 
 TEST_F(DriveInMode, AcceleratesWithTheTorqueInMode10) {
-  card_.core.state().drives[0] = VelocityDrive(50, 4, 0, card_.core.config().ServoMs());
+  card_.core.ConnectDrive(0, VelocityDrive(50, 4, 0, card_.core.config().ServoMs()));
   Mode(DriveMode::kCyclicTorque);
   Set(ObjectId::kTargetTorque, 500);
   card_.Ticks(4 * kCyclesPerMs);
@@ -181,8 +182,8 @@ TEST_F(DriveInMode, HoldsItsPositionWhenTheModeChanges) {
 }
 
 TEST_F(DriveInMode, ALaggingMotorFollowsWithAnErrorThatVanishesAtRest) {
-  card_.core.state().drives[0] = VelocityDrive(200, 2, 0, card_.core.config().ServoMs());
-  Profile& profile = card_.core.state().profiles[0];
+  card_.core.ConnectDrive(0, VelocityDrive(200, 2, 0, card_.core.config().ServoMs()));
+  Profile& profile = ChangeState(card_.core).profiles[0];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = 10;
   profile.jog.parameters = {.acc = 1, .dec = 1};
@@ -195,7 +196,7 @@ TEST_F(DriveInMode, ALaggingMotorFollowsWithAnErrorThatVanishesAtRest) {
 }
 
 TEST_F(DriveInMode, AMotorThatIsOffIsTurnedByHand) {
-  card_.core.ServoOff(0);
+  card_.core.AxisAt(0).ServoOff();
   card_.Ticks(4);
   card_.motor().hand = 2;
   card_.Ticks(40);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 namespace {
@@ -58,13 +59,13 @@ PositionSwitch Contact(DiType type, double first, double last) {
 class HomingCard : public BusCard {
  public:
   explicit HomingCard(double start, HomeSwitch home = HomeSwitch::kZone) : BusCard({FullDrive(0)}) {
-    std::vector<PositionSwitch>& switches = core.state().switches;
+    std::vector<PositionSwitch>& switches = ChangeState(core).switches;
     switches.push_back(Contact(DiType::kLimitNegative, -kInfinity, kNegativeLimitEnd));
     switches.push_back(Contact(DiType::kLimitPositive, kPositiveLimitBegin, kInfinity));
     const double first = home == HomeSwitch::kToTheLeft ? -kInfinity : kLeftEdge;
     const double last = home == HomeSwitch::kToTheRight ? kInfinity : kRightEdge;
     switches.push_back(Contact(DiType::kHome, first, last));
-    core.state().index_marks[0] = {250, 1000};
+    core.SetIndexMarks(0, {250, 1000});
     core.PlaceMotor(0, start);
     Power();
     Enable();
@@ -132,7 +133,7 @@ TEST(HomingMethods, FindTheSameEdgeAtAnySpeed) {
 TEST(HomingMethods, FailAfterBothLimitsWithoutASwitch) {
   for (const int method : {7, 14, 24, 27}) {
     HomingCard card(-20'000);
-    card.core.state().switches.pop_back();
+    ChangeState(card.core).switches.pop_back();
     card.Begin(method);
     EXPECT_EQ(card.Finish(), kHomingFinished | kHomingFailed) << method;
     EXPECT_NE(card.object(ObjectId::kStatusWord) & kStatusHomingError, 0) << method;
@@ -141,7 +142,7 @@ TEST(HomingMethods, FailAfterBothLimitsWithoutASwitch) {
 
 TEST(HomingMethods, FailAtALimitWithoutIndexMarks) {
   HomingCard card(-20'000);
-  card.core.state().index_marks[0].period = 0;
+  ChangeState(card.core).index_marks[0].period = 0;
   card.Begin(34);
   EXPECT_EQ(card.Finish(), kHomingFinished | kHomingFailed);
 }
@@ -201,7 +202,7 @@ TEST(HomingMethods, TheProfileFollowsTheEncoderWhenTheModeReturns) {
 
 TEST(HomingMethods, WorkWithAMotorThatLags) {
   HomingCard card(-20'000);
-  card.core.state().drives[0] = VelocityDrive(200, 2, 0, card.core.config().ServoMs());
+  card.core.ConnectDrive(0, VelocityDrive(200, 2, 0, card.core.config().ServoMs()));
   card.Begin(7);
   ASSERT_EQ(card.Finish(), 3);
   EXPECT_NEAR(card.motor().position, 250, kHomingWindow);

@@ -150,7 +150,7 @@ TEST_F(Mailbox, ATerminalIsReadAsTheImageShowsIt) {
 }
 
 TEST_F(Mailbox, HomingParametersAreLockedWhileTheDriveHomes) {
-  card_.core.ServoOn(0);
+  card_.core.AxisAt(0).ServoOn();
   card_.Ticks(8);
   card_.core.bus_axes().SetMode(0, DriveMode::kHoming);
   EXPECT_EQ(Write(0, 0x6098, 0, {33}), SdoAbort::kNone);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 namespace {
@@ -51,9 +52,9 @@ TEST(ProcessImage, ShowsDrivesAndTerminalsByteByByte) {
   card.core.PlaceMotor(1, 0);
   card.Power();
   card.Enable(2);
-  card.core.SetProfilePosition(1, 0);
-  card.core.SynchAxis(1);
-  card.core.state().profiles[1].now.position = 0x010203;
+  card.core.ProfileAt(1).SetPosition(0);
+  card.core.AxisAt(1).SynchPosition();
+  ChangeState(card.core).profiles[1].now.position = 0x010203;
   card.bus().SetTerminal(2, 0, 0x5AA5);
   card.bus().image().WriteByHost(36, std::vector<uint8_t>{0x11, 0x22});
   card.Ticks(1);

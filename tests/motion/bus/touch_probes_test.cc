@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/motion/bus/bus_card.h"
+#include "tests/motion/change_state.h"
 
 namespace oncard::motion::bus {
 namespace {
@@ -90,7 +91,7 @@ TEST(ProbesOfADrive, CaptureWithinOneCountOfTheMotor) {
   card.Enable();
   const uint16_t function = kProbeEnable | kProbeContinuous | kProbeRising | kProbeFalling;
   card.bus().SetOutput(0, ObjectId::kProbeFunction, function);
-  Profile& profile = card.core.state().profiles[0];
+  Profile& profile = ChangeState(card.core).profiles[0];
   profile.mode = ProfileMode::kJog;
   profile.jog.velocity = 200;
   profile.jog.parameters = {.acc = 0.5, .dec = 0.5};
