@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "motion/common/card_defaults.h"
 #include "motion/common/sizes.h"
 
 namespace oncard::motion {
@@ -21,17 +22,18 @@ namespace oncard::motion {
 /// The integral gain counts 256ths (GT-400 manual).
 inline constexpr double kIntegralUnit = 1.0 / 256;
 inline constexpr size_t kPidSetCount = 3;
-/// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as in
-/// the GE manual.
+/// Assumption: the limits of a set after reset, as in the GE manual: the largest output.
+inline constexpr int16_t kPidLimit = 32767;
+/// Gains and limits. Assumption: after reset all gains are 0, as in the GE manual.
 struct PidSet {
   double kp = 0;
   double ki = 0;
   double kd = 0;
   double kvff = 0;
   double kaff = 0;
-  int32_t integral_limit = 32767;
-  int32_t derivative_limit = 32767;
-  int16_t limit = 32767;
+  int32_t integral_limit = kPidLimit;
+  int32_t derivative_limit = kPidLimit;
+  int16_t limit = kPidLimit;
   /// The fed-forward velocity takes a 2^n-th of its difference in each sub-step (assumption).
   int16_t kvff_filter = 0;
   double kvff_acc_max = 0;  ///< largest rate of change, pulse/ms^2; 0: no limit (assumption)
@@ -75,7 +77,7 @@ struct Control {
   // Registers.
   std::array<PidSet, kPidSetCount> sets;
   uint8_t selected = 0;
-  int64_t error_limit = 32767;  ///< GT_SetPosErr, pulses
+  int64_t error_limit = CardDefaults{}.following_error_limit;  ///< GT_SetPosErr, pulses
   ResponseCheck check;
 
   // State.

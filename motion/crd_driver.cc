@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace oncard::motion {
 
@@ -29,13 +30,13 @@ void CrdDriver::SetUp(CrdParameters parameters) {
   crd_.smooth_stop = card_.defaults().smooth_stop;
   crd_.abrupt_stop = card_.defaults().abrupt_stop;
   crd_.parameters = parameters;
-  for (size_t i = 0; i < kCrdParameterAxes; ++i) {
-    if (parameters.profile[i] == 0) continue;
-    const auto coordinate = static_cast<size_t>(parameters.profile[i] - 1);
+  for (size_t i = 0; i < kCrdProfileCount; ++i) {
+    const std::optional<size_t> coordinate = parameters.CoordinateOf(i);
+    if (!coordinate) continue;
     Profile& member = card_.profiles()[i];
-    crd_.members[coordinate] = static_cast<int32_t>(i);
-    crd_.origin[coordinate] =
-        parameters.set_origin != 0 ? parameters.origin[coordinate] : member.now.position;
+    crd_.members[*coordinate] = static_cast<int32_t>(i);
+    crd_.origin[*coordinate] =
+        parameters.sets_origin ? parameters.origin[*coordinate] : member.now.position;
     member.mode = ProfileMode::kCrd;
   }
   crd_.position = PositionOf(crd_, card_.profiles());

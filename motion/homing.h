@@ -64,21 +64,21 @@ bool IsForced(HomeMode mode);
 /// A search distance of 0 means this value.
 inline constexpr int32_t kSearchDistanceMax = 805306368;
 
-/// THomePrm. Velocities in pulse/ms, accelerations in pulse/ms^2; they default to 0 and must be
-/// set.
+/// The parameters of smart homing. Velocities in pulse/ms, accelerations in pulse/ms^2; they
+/// default to 0 and must be set.
 struct HomeParameters {
   HomeMode mode = HomeMode::kHome;
   int8_t move_direction = 1;
   int8_t index_direction = 1;
   bool rising = false;
-  int16_t trigger_index = 0;  ///< 0: the axis' own
-  bool final_fast = false;    ///< pad1[0]
+  int16_t trigger_index = 0;  ///< of the capture, from 1; 0: the axis' own
+  bool final_fast = false;    ///< the way to the origin at the high velocity
   double high = 0;
   double low = 0;
   double acc = 0;
   double dec = 0;
   int16_t smooth_time = 0;
-  bool check_start = false;  ///< pad2[1]
+  bool check_start = false;  ///< a switch or limit that is active is left first
   int32_t offset = 0;
   int32_t home_distance = 0;
   int32_t index_distance = 0;

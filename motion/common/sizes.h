@@ -10,9 +10,8 @@ namespace oncard::motion {
 /// Capacity: axes, profiles, encoders, servo controllers, DACs and pulse outputs. A card uses the
 /// first MotionConfig::axis_count of each.
 inline constexpr size_t kAxisMax = 12;
-/// Encoders that belong to no axis, on cards of up to 8 axes: auxiliary encoders 9 and 10, the hand
-/// wheel 11, counted from 0 here (assumption: the vendor's configuration files name encoder 9 on
-/// a card of 8 axes and 9 to 11 on one of 4, public hosts read 9 and 11).
+/// Auxiliary encoders, which belong to no axis. They have the places behind the first eight, which
+/// a card of more axes needs itself (docs/assumptions.md says what is connected to them).
 inline constexpr size_t kAuxiliaryFirst = 8;
 inline constexpr size_t kAuxiliaryCount = 3;
 /// Capacity: coordinate systems.

@@ -27,8 +27,8 @@ struct Dac {
   bool reversed = false;  ///< configuration: the voltage has the opposite sign
   int8_t control = -1;    ///< the servo controller that writes it, from 0; -1: GT_SetDac does
   int16_t bias = 0;       ///< GT_SetMtrBias
-  int16_t limit = 32767;  ///< GT_SetMtrLmt
-  double value = 0;       ///< what was written
+  int16_t limit = static_cast<int16_t>(kDacFull);  ///< GT_SetMtrLmt
+  double value = 0;                                ///< what was written
 
   /// What GT_GetDac reads: value + bias, rounded, within +-limit. Assumption: a drive is wired so
   /// that this sign is its direction of motion.

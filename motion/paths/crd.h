@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "motion/common/card_defaults.h"
@@ -31,22 +32,29 @@ namespace oncard::motion {
 inline constexpr size_t kCrdFifoCount = 2;
 /// Capacity of a FIFO in segments and buffered commands.
 inline constexpr size_t kCrdFifoSize = 4096;
-/// Number of elements of TCrdPrm.profile and originPos.
-inline constexpr size_t kCrdParameterAxes = 8;
+/// Profiles that can be members of a coordinate system: the first ones of a card.
+inline constexpr size_t kCrdProfileCount = 8;
 
-/// TCrdPrm.
+/// What a coordinate system consists of.
 struct CrdParameters {
   int16_t dimension = 0;  ///< 0: the coordinate system does not exist
-  /// The coordinate (1 X ... 4 A) of profile n + 1; 0: none.
-  std::array<int16_t, kCrdParameterAxes> profile{};
+  /// The coordinate of each profile, from 1 (X) to 4 (A); 0: none.
+  std::array<int16_t, kCrdProfileCount> coordinates{};
   double velocity_max = 0;
   double acceleration_max = 0;
-  int16_t even_time = 0;  ///< minimum time of constant velocity in each segment, ms
-  int16_t set_origin = 0;
-  std::array<int32_t, kCrdParameterAxes> origin{};
+  int16_t even_time = 0;     ///< minimum time of constant velocity in each segment, ms
+  bool sets_origin = false;  ///< false: the origin is where the profiles are
+  /// Of each coordinate, pulses; the elements after the last one mean nothing.
+  std::array<int32_t, kCrdProfileCount> origin{};
+
+  /// The coordinate of a profile, from 0; empty if it is no member.
+  std::optional<size_t> CoordinateOf(size_t profile) const {
+    if (profile >= coordinates.size() || coordinates[profile] == 0) return std::nullopt;
+    return static_cast<size_t>(coordinates[profile] - 1);
+  }
 
   auto Fields() const {
-    return std::tie(dimension, profile, velocity_max, acceleration_max, even_time, set_origin,
+    return std::tie(dimension, coordinates, velocity_max, acceleration_max, even_time, sets_origin,
                     origin);
   }
 };

@@ -187,7 +187,7 @@ void Call(runtime::Controller* card, std::string_view name, const std::vector<do
 void SetUpCrd(double length, double velocity, runtime::Controller* card) {
   motion::CrdParameters parameters;
   parameters.dimension = 2;
-  parameters.profile = {0, 0, 0, 0, 0, 1, 2};
+  parameters.coordinates = {0, 0, 0, 0, 0, 1, 2};
   parameters.velocity_max = 100;
   parameters.acceleration_max = 1;
   card->motion().CrdAt(0).SetUp(parameters);

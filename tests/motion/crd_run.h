@@ -17,7 +17,7 @@ class CrdRunTest {
     CrdParameters parameters;
     parameters.dimension = static_cast<int16_t>(dimension);
     for (int i = 0; i < dimension; ++i) {
-      parameters.profile[static_cast<size_t>(i)] = static_cast<int16_t>(i + 1);
+      parameters.coordinates[static_cast<size_t>(i)] = static_cast<int16_t>(i + 1);
     }
     parameters.velocity_max = 1000;
     parameters.acceleration_max = 100;

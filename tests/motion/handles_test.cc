@@ -149,7 +149,8 @@ TEST(EncoderHandle, AConfiguredEncoderIsWiredForItsSense) {
 TEST(CrdDriver, APlannerBeginsWhereTheFifoEnds) {
   MotionCore core({});
   core.ProfileAt(0).SetPosition(30);
-  core.CrdAt(0).SetUp({.dimension = 1, .profile = {1}, .velocity_max = 10, .acceleration_max = 1});
+  core.CrdAt(0).SetUp(
+      {.dimension = 1, .coordinates = {1}, .velocity_max = 10, .acceleration_max = 1});
   core.CrdAt(0).BeginLookAhead(0, 1, 1, 10);
   core.CrdAt(0).BeginPlanner(0, PathLimits{}, 20);
   const CrdFifo& fifo = core.state().crds[0].fifos[0];

@@ -204,7 +204,7 @@ constexpr Change kChanges[] = {
     {"EnableGantry", [](MotionCore& core) { core.EnableGantry(10, 11, 1, 1); }},
     {"SetUpCrd",
      [](MotionCore& core) {
-       core.CrdAt(0).SetUp({.dimension = 2, .profile = {1, 2}});
+       core.CrdAt(0).SetUp({.dimension = 2, .coordinates = {1, 2}});
      }},
     {"BeginHoming", [](MotionCore& core) { core.HomingAt(11).Begin({.mode = HomeMode::kLimit}); }},
     {"SetStopDecelerations",

@@ -96,7 +96,7 @@ TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   MotionCore core({.defaults = {.smooth_stop = 2, .abrupt_stop = 50}});
   CrdParameters parameters;
   parameters.dimension = 2;
-  parameters.profile = {1, 2};
+  parameters.coordinates = {1, 2};
   core.CrdAt(0).SetUp(parameters);
   EXPECT_EQ(core.state().crds[0].smooth_stop, 2);
   EXPECT_EQ(core.state().crds[0].abrupt_stop, 50);

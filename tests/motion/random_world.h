@@ -177,7 +177,7 @@ inline void RandomPath(MotionCore& core, RandomNumbers& random) {
   MotionState& state = ChangeState(core);
   if (state.profiles[0].now.moving || state.profiles[1].now.moving) return;
   if (state.crds[0].run.running) return;
-  CrdParameters parameters{.dimension = 2, .profile = {1, 2}};
+  CrdParameters parameters{.dimension = 2, .coordinates = {1, 2}};
   parameters.velocity_max = 1000;
   parameters.acceleration_max = 100;
   core.CrdAt(0).SetUp(parameters);

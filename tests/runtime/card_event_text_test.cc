@@ -41,7 +41,7 @@ struct TalkingCard {
   void SetUpPath() {
     motion::CrdParameters parameters;
     parameters.dimension = 2;
-    parameters.profile = {1, 2};
+    parameters.coordinates = {1, 2};
     parameters.velocity_max = 1000;
     parameters.acceleration_max = 100;
     core.CrdAt(0).SetUp(parameters);

@@ -364,7 +364,7 @@ TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
   motion::MotionCore& motion = card.controller.motion();
   motion::CrdParameters parameters;
   parameters.dimension = 2;
-  parameters.profile = {1, 2};
+  parameters.coordinates = {1, 2};
   motion.CrdAt(0).SetUp(parameters);
   motion::PathSlot delay;
   delay.command = {.kind = motion::BufferedKind::kDelay, .values = {5}};

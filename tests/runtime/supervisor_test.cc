@@ -103,7 +103,7 @@ std::vector<std::string> WarningsOfPath(const motion::BufferedCommand& command,
   for (const size_t axis : on) core.AxisAt(axis).ServoOn();
   motion::CrdParameters parameters;
   parameters.dimension = 2;
-  parameters.profile = {1, 2};
+  parameters.coordinates = {1, 2};
   parameters.velocity_max = 100;
   parameters.acceleration_max = 10;
   core.CrdAt(0).SetUp(parameters);

@@ -22,6 +22,9 @@ constexpr size_t kAccelerationCell = 10;
 constexpr size_t kEvenTimeCell = 11;
 constexpr size_t kOriginFlagCell = 12;
 constexpr size_t kOriginCell = 13;
+/// Elements of TCrdPrm.profile and originPos.
+constexpr size_t kParameterAxes = 8;
+static_assert(kParameterAxes == motion::kCrdProfileCount);
 
 /// Assumption: how far the axes may be from the path's next point when it starts, pulses.
 constexpr double kStartTolerance = 1e-3;
@@ -39,7 +42,7 @@ int16_t CheckMembers(Call& call) {
   const std::span<double> cells = call.cells(1);
   const int dimension = static_cast<int>(cells[0]);
   uint32_t seen = 0;
-  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+  for (size_t i = 0; i < kParameterAxes; ++i) {
     const double coordinate = cells[kProfileCell + i];
     if (coordinate == 0) continue;
     const bool usable = coordinate >= 1 && coordinate <= dimension &&
@@ -84,7 +87,7 @@ int16_t CheckParameters(Call& call) {
   }
   const double flag = cells[kOriginFlagCell];
   if (flag != 0 && flag != 1) return RefuseMember(call, "setOriginFlag", flag, "[0, 1]");
-  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+  for (size_t i = 0; i < kParameterAxes; ++i) {
     if (std::fabs(cells[kOriginCell + i]) > kPositionMax) {
       return RefuseMember(call, "originPos", cells[kOriginCell + i], "[-1073741823, 1073741823]");
     }
@@ -106,14 +109,14 @@ CrdParameters ParametersOf(const Call& call) {
   const std::span<double> cells = call.cells(1);
   CrdParameters parameters;
   parameters.dimension = static_cast<int16_t>(cells[0]);
-  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
-    parameters.profile[i] = static_cast<int16_t>(cells[kProfileCell + i]);
+  for (size_t i = 0; i < kParameterAxes; ++i) {
+    parameters.coordinates[i] = static_cast<int16_t>(cells[kProfileCell + i]);
     parameters.origin[i] = static_cast<int32_t>(cells[kOriginCell + i]);
   }
   parameters.velocity_max = cells[kVelocityCell];
   parameters.acceleration_max = cells[kAccelerationCell];
   parameters.even_time = static_cast<int16_t>(cells[kEvenTimeCell]);
-  parameters.set_origin = static_cast<int16_t>(cells[kOriginFlagCell]);
+  parameters.sets_origin = cells[kOriginFlagCell] != 0;
   return parameters;
 }
 
@@ -125,8 +128,8 @@ int16_t GT_SetCrdPrm(Call& call) {
   if (code != vm::kOk) return code;
   const CrdParameters parameters = ParametersOf(call);
   const motion::MotionCore& core = call.card.motion;
-  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
-    if (parameters.profile[i] == 0) continue;
+  for (size_t i = 0; i < kParameterAxes; ++i) {
+    if (!parameters.CoordinateOf(i)) continue;
     code = CheckAtRest(call, i);
     if (code != vm::kOk) return code;
     const size_t other = 1 - NumberOf(call);
@@ -147,14 +150,14 @@ int16_t GT_GetCrdPrm(Call& call) {
   if (code != vm::kOk) return code;
   const CrdParameters& parameters = CrdOf(call).parameters;
   call.Set(1, parameters.dimension, 0);
-  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
-    call.Set(1, parameters.profile[i], kProfileCell + i);
+  for (size_t i = 0; i < kParameterAxes; ++i) {
+    call.Set(1, parameters.coordinates[i], kProfileCell + i);
     call.Set(1, parameters.origin[i], kOriginCell + i);
   }
   call.Set(1, parameters.velocity_max, kVelocityCell);
   call.Set(1, parameters.acceleration_max, kAccelerationCell);
   call.Set(1, parameters.even_time, kEvenTimeCell);
-  call.Set(1, parameters.set_origin, kOriginFlagCell);
+  call.Set(1, parameters.sets_origin ? 1 : 0, kOriginFlagCell);
   return vm::kOk;
 }
 

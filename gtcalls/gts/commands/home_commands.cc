@@ -13,21 +13,22 @@ using motion::HomeKind;
 using motion::HomeParameters;
 using motion::Homing;
 
-/// Cells of THomePrm.
+/// Cells of THomePrm. The first of pad1 asks for a fast way to the origin, the second of pad2 for a
+/// check of the start.
 enum HomeCell : size_t {
   kMode,
   kMoveDir,
   kIndexDir,
   kEdge,
   kTriggerIndex,
-  kPad1,
-  kVelHigh = kPad1 + 3,
+  kFinalFast,
+  kVelHigh = kFinalFast + 3,
   kVelLow,
   kAcc,
   kDec,
   kSmoothTime,
-  kPad2,
-  kHomeOffset = kPad2 + 3,
+  kCheckStart = kSmoothTime + 2,
+  kHomeOffset = kCheckStart + 2,
   kSearchHomeDistance,
   kSearchIndexDistance,
   kEscapeStep
@@ -84,7 +85,7 @@ int16_t CheckMembers(Call& call, motion::HomeMode mode) {
   if (motion::SearchesIndex(mode) && !is_direction(cells[kIndexDir])) {
     return RefuseMember(call, "indexDir", cells[kIndexDir], -1, 1);
   }
-  if ((cells[kPad2 + 1] == 1 || mode == motion::HomeMode::kLimit) && cells[kEscapeStep] == 0) {
+  if ((cells[kCheckStart] == 1 || mode == motion::HomeMode::kLimit) && cells[kEscapeStep] == 0) {
     return RefuseMember(call, "escapeStep", 0, 1, kDistanceMax);
   }
   return vm::kOk;
@@ -138,13 +139,13 @@ int16_t GT_GoHome(Call& call) {
   p.index_direction = cells[kIndexDir] < 0 ? int8_t{-1} : int8_t{1};
   p.rising = cells[kEdge] != 0;
   p.trigger_index = static_cast<int16_t>(cells[kTriggerIndex]);
-  p.final_fast = cells[kPad1] == 1;
+  p.final_fast = cells[kFinalFast] == 1;
   p.high = cells[kVelHigh];
   p.low = cells[kVelLow];
   p.acc = cells[kAcc];
   p.dec = cells[kDec];
   p.smooth_time = static_cast<int16_t>(cells[kSmoothTime]);
-  p.check_start = cells[kPad2 + 1] == 1;
+  p.check_start = cells[kCheckStart] == 1;
   p.offset = static_cast<int32_t>(cells[kHomeOffset]);
   p.home_distance = static_cast<int32_t>(cells[kSearchHomeDistance]);
   p.index_distance = static_cast<int32_t>(cells[kSearchIndexDistance]);
@@ -161,13 +162,13 @@ int16_t GT_GetHomePrm(Call& call) {
   call.Set(1, p.index_direction, kIndexDir);
   call.Set(1, p.rising ? 1 : 0, kEdge);
   call.Set(1, p.trigger_index == 0 ? call.value(0) : p.trigger_index, kTriggerIndex);
-  call.Set(1, p.final_fast ? 1 : 0, kPad1);
+  call.Set(1, p.final_fast ? 1 : 0, kFinalFast);
   call.Set(1, p.high, kVelHigh);
   call.Set(1, p.low, kVelLow);
   call.Set(1, p.acc, kAcc);
   call.Set(1, p.dec, kDec);
   call.Set(1, p.smooth_time, kSmoothTime);
-  call.Set(1, p.check_start ? 1 : 0, kPad2 + 1);
+  call.Set(1, p.check_start ? 1 : 0, kCheckStart);
   call.Set(1, p.offset, kHomeOffset);
   call.Set(1, p.home_distance, kSearchHomeDistance);
   call.Set(1, p.index_distance, kSearchIndexDistance);
