@@ -291,13 +291,6 @@ void BusAxes::SetMode(size_t axis, DriveMode mode) {
   line.slave(SlaveOf(axis)).drive->values().Set(ObjectId::kMode, number);
 }
 
-DriveMode BusAxes::CommandedMode(size_t axis) const {
-  const bus::Bus& line = state_.bus->line;
-  const bus::ObjectValues& values = line.slave(SlaveOf(axis)).drive->values();
-  const auto output = line.Output(SlaveOf(axis), ObjectId::kMode);
-  return static_cast<DriveMode>(output.value_or(values[ObjectId::kMode]));
-}
-
 void BusAxes::SetScale(size_t axis, uint8_t exponent) {
   link(axis).scale = exponent;
   DriveTrain(state_, config_).Rebase(axis);

@@ -60,8 +60,6 @@ class BusAxes {
   void ResetFault(size_t axis);
   /// Sets the mode of operation, by process data or by the mailbox.
   void SetMode(size_t axis, bus::DriveMode mode);
-  /// The mode that the drive was given and takes with the next cycle.
-  bus::DriveMode CommandedMode(size_t axis) const;
   /// GT_SetPosScale, for an axis at rest: nothing moves, and its positions stay.
   void SetScale(size_t axis, uint8_t exponent);
   /// The parameters as downloads; what does not fit an object counts as its limit. The first abort

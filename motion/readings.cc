@@ -140,4 +140,12 @@ bool Readings::LimitForbids(size_t profile, double direction) const {
   return false;
 }
 
+bus::DriveMode Readings::CommandedBusMode(size_t axis) const {
+  const bus::Bus& line = state_.bus->line;
+  const auto slave = static_cast<size_t>(state_.bus->axes[axis].slave);
+  const bus::ObjectValues& values = line.slave(slave).drive->values();
+  const auto output = line.Output(slave, bus::ObjectId::kMode);
+  return static_cast<bus::DriveMode>(output.value_or(values[bus::ObjectId::kMode]));
+}
+
 }  // namespace oncard::motion

@@ -103,6 +103,8 @@ class Readings {
   bus::DriveMode BusMode(size_t axis) const;
   /// False while the drive of a bus axis moves by itself.
   bool FollowsPlan(size_t axis) const { return !OnBus(axis) || state_.bus->axes[axis].follows; }
+  /// The mode that the drive was given and takes with the next cycle.
+  bus::DriveMode CommandedBusMode(size_t axis) const;
   bool IsGantrySlave(size_t axis) const { return state_.gantry.on && state_.gantry.slave == axis; }
 
   /// The strength of a laser now, in the unit of its mode.

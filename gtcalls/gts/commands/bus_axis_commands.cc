@@ -110,7 +110,7 @@ int16_t GT_StartEcatHoming(Call& call) {
                   "驱动器未使能，请调用 GT_AxisOn 并等待 GT_GetSts 的第 9 位");
   }
   // A mode that has just been commanded reaches the drive with the next cycle.
-  if (call.card.motion.bus_axes().CommandedMode(NumberOf(call)) != DriveMode::kHoming) {
+  if (call.card.motion.readings().CommandedBusMode(NumberOf(call)) != DriveMode::kHoming) {
     return refuse("the drive is not in mode 6, call GT_SetHomingMode",
                   "驱动器不处于模式 6，请调用 GT_SetHomingMode");
   }

@@ -55,7 +55,7 @@ Message DescribeDifference(const Bus& line) {
 
 int16_t GT_InitEcatComm(Call& call) {
   if (!call.card.bus_error.en.empty()) return call.Refuse(kSlavesDiffer, call.card.bus_error);
-  Bus* line = LineOf(call);
+  Bus* line = ChangeLine(call);
   switch (line == nullptr ? InitOutcome::kNoConfiguration : line->CheckInit()) {
     case InitOutcome::kNoConfiguration:
       return call.Refuse(kNoEniFile,
@@ -80,7 +80,7 @@ int16_t GT_StartEcatComm(Call& call) {
   if (!LineOf(call)->ready()) {
     return call.Refuse(vm::kRefused, {"not all slaves answer", "有从站没有应答"});
   }
-  LineOf(call)->Start();
+  ChangeLine(call)->Start();
   return vm::kOk;
 }
 
@@ -182,8 +182,8 @@ int16_t GT_SetEcatRawData(Call& call) {
   if (code != vm::kOk) return code;
   code = CheckBytes(call, call.integer(0), call.integer(1), LineOf(call)->image().size());
   if (code != vm::kOk) return code;
-  LineOf(call)->image().WriteByHost(static_cast<size_t>(call.integer(0)),
-                                    BytesOf(CountedCells(call, 2, 1)));
+  ChangeLine(call)->image().WriteByHost(static_cast<size_t>(call.integer(0)),
+                                        BytesOf(CountedCells(call, 2, 1)));
   return vm::kOk;
 }
 
@@ -205,7 +205,7 @@ int16_t GT_EcatIOWriteOutput(Call& call) {
   code = CheckBytes(call, call.integer(1), call.integer(2), place.output_bytes);
   if (code != vm::kOk) return code;
   const size_t offset = place.outputs + static_cast<size_t>(call.integer(1));
-  LineOf(call)->image().WriteByHost(offset, BytesOf(CountedCells(call, 3, 2)));
+  ChangeLine(call)->image().WriteByHost(offset, BytesOf(CountedCells(call, 3, 2)));
   return vm::kOk;
 }
 
@@ -249,7 +249,7 @@ int16_t EndService(Call& call, SdoAbort abort, size_t output) {
 }  // namespace
 
 int16_t GT_EcatSDODownload(Call& call) {
-  Bus* line = LineOf(call);
+  Bus* line = ChangeLine(call);
   if (line == nullptr) return EndService(call, SdoAbort::kTimeout, 5);
   const SdoAbort abort =
       line->Download(static_cast<size_t>(call.integer(0)), static_cast<uint16_t>(call.integer(1)),

@@ -28,7 +28,12 @@ int16_t RefuseObject(Call& call, ObjectId id) {
 
 }  // namespace
 
-Bus* LineOf(const Call& call) { return call.card.motion.bus_line(); }
+const Bus* LineOf(const Call& call) {
+  const auto& part = call.card.motion.state().bus;
+  return part ? &part->line : nullptr;
+}
+
+Bus* ChangeLine(const Call& call) { return call.card.motion.bus_line(); }
 
 int16_t CheckBus(Call& call) {
   const Bus* line = LineOf(call);
@@ -77,8 +82,7 @@ int16_t CheckBusObeys(Call& call, size_t axis) {
 }
 
 size_t BusSlaveOf(const Call& call) {
-  return static_cast<size_t>(
-      call.card.motion.state().bus->axes[NumberOf(call)].slave);
+  return static_cast<size_t>(call.card.motion.state().bus->axes[NumberOf(call)].slave);
 }
 
 int16_t CheckInput(Call& call, ObjectId id) {
@@ -96,7 +100,8 @@ int16_t ReadInput(Call& call, ObjectId id, size_t output) {
 int16_t WriteOutput(Call& call, ObjectId id, int64_t value) {
   const int16_t code = CheckBusAxis(call);
   if (code != vm::kOk) return code;
-  return LineOf(call)->SetOutput(BusSlaveOf(call), id, value) ? vm::kOk : RefuseObject(call, id);
+  return ChangeLine(call)->SetOutput(BusSlaveOf(call), id, value) ? vm::kOk
+                                                                  : RefuseObject(call, id);
 }
 
 }  // namespace oncard::gtcalls::gts

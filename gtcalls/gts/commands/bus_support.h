@@ -11,8 +11,9 @@
 
 namespace oncard::gtcalls::gts {
 
-/// The bus of the card; nullptr for a card without one.
-motion::bus::Bus* LineOf(const Call& call);
+/// The bus of the card, to read and to change it; nullptr for a card without one.
+const motion::bus::Bus* LineOf(const Call& call);
+motion::bus::Bus* ChangeLine(const Call& call);
 /// 0, or 1 with the reason when the bus is not in operation.
 int16_t CheckBus(Call& call);
 /// 0, or 1 with the reason when argument 0 is no axis with a drive on the bus that answers.

@@ -11,8 +11,9 @@ using motion::ExtensionModule;
 /// GT_GetStsExtMdl: 0 for a module that works, 1 for a fault.
 constexpr int kModuleFault = 1;
 
-ExtensionModule& ExtensionOf(const Call& call) {
-  return call.card.motion.module(static_cast<size_t>(call.integer(0)));
+const ExtensionModule& ExtensionOf(const Call& call) {
+  const auto module = static_cast<size_t>(call.integer(0));
+  return call.card.motion.part<&motion::MotionState::modules>()[module];
 }
 size_t ExtensionChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
 
@@ -26,11 +27,18 @@ int16_t CheckModule(Call& call) {
           "未连接扩展模块 {0}；场景的 world 中列出了已连接的模块", call.integer(0)));
 }
 
-/// Executes a command on a module, which must be connected.
-template <void (*function)(Call&, ExtensionModule&)>
-int16_t WithModule(Call& call) {
+/// Execute a command on a module, which must be connected.
+template <void (*function)(Call&, const ExtensionModule&)>
+int16_t ReadModule(Call& call) {
   const int16_t code = CheckModule(call);
   if (code == vm::kOk) function(call, ExtensionOf(call));
+  return code;
+}
+template <void (*function)(Call&, ExtensionModule&)>
+int16_t WriteModule(Call& call) {
+  const int16_t code = CheckModule(call);
+  if (code == vm::kOk)
+    function(call, call.card.motion.module(static_cast<size_t>(call.integer(0))));
   return code;
 }
 
@@ -38,7 +46,7 @@ void SetIoValue(Call& call, ExtensionModule& module) {
   module.outputs = static_cast<uint16_t>(call.integer(1));
 }
 
-void GetIoValue(Call& call, ExtensionModule& module) { call.Set(1, module.inputs); }
+void GetIoValue(Call& call, const ExtensionModule& module) { call.Set(1, module.inputs); }
 
 void SetIoBit(Call& call, ExtensionModule& module) {
   const auto bit = static_cast<uint16_t>(1u << call.integer(1));
@@ -46,16 +54,16 @@ void SetIoBit(Call& call, ExtensionModule& module) {
   module.outputs = static_cast<uint16_t>(word);
 }
 
-void GetIoBit(Call& call, ExtensionModule& module) {
+void GetIoBit(Call& call, const ExtensionModule& module) {
   call.Set(2, module.inputs >> call.integer(1) & 1);
 }
 
-void GetAdValue(Call& call, ExtensionModule& module) {
+void GetAdValue(Call& call, const ExtensionModule& module) {
   call.Set(2, motion::ModuleValue(module.input_volts[ExtensionChannelOf(call)]));
 }
 
 /// The converter's value for the voltage.
-void GetAdVoltage(Call& call, ExtensionModule& module) {
+void GetAdVoltage(Call& call, const ExtensionModule& module) {
   call.Set(2,
            motion::ModuleVolts(motion::ModuleValue(module.input_volts[ExtensionChannelOf(call)])));
 }
@@ -77,13 +85,13 @@ int16_t GT_GetStsExtMdl(Call& call) {
   return vm::kOk;
 }
 
-int16_t GT_SetExtIoValue(Call& call) { return WithModule<SetIoValue>(call); }
-int16_t GT_GetExtIoValue(Call& call) { return WithModule<GetIoValue>(call); }
-int16_t GT_SetExtIoBit(Call& call) { return WithModule<SetIoBit>(call); }
-int16_t GT_GetExtIoBit(Call& call) { return WithModule<GetIoBit>(call); }
-int16_t GT_GetExtAdValue(Call& call) { return WithModule<GetAdValue>(call); }
-int16_t GT_GetExtAdVoltage(Call& call) { return WithModule<GetAdVoltage>(call); }
-int16_t GT_SetExtDaValue(Call& call) { return WithModule<SetDaValue>(call); }
-int16_t GT_SetExtDaVoltage(Call& call) { return WithModule<SetDaVoltage>(call); }
+int16_t GT_SetExtIoValue(Call& call) { return WriteModule<SetIoValue>(call); }
+int16_t GT_GetExtIoValue(Call& call) { return ReadModule<GetIoValue>(call); }
+int16_t GT_SetExtIoBit(Call& call) { return WriteModule<SetIoBit>(call); }
+int16_t GT_GetExtIoBit(Call& call) { return ReadModule<GetIoBit>(call); }
+int16_t GT_GetExtAdValue(Call& call) { return ReadModule<GetAdValue>(call); }
+int16_t GT_GetExtAdVoltage(Call& call) { return ReadModule<GetAdVoltage>(call); }
+int16_t GT_SetExtDaValue(Call& call) { return WriteModule<SetDaValue>(call); }
+int16_t GT_SetExtDaVoltage(Call& call) { return WriteModule<SetDaVoltage>(call); }
 
 }  // namespace oncard::gtcalls::gts

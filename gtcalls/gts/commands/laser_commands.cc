@@ -10,8 +10,12 @@ using motion::Laser;
 using motion::LaserBounds;
 using motion::LaserMode;
 
-/// The laser of the channel in an argument.
-Laser& LaserAt(Call& call, size_t argument) {
+/// The laser of the channel in an argument, to read and to change it.
+const Laser& LaserOf(const Call& call, size_t argument) {
+  const auto channel = static_cast<size_t>(call.integer(argument));
+  return call.card.motion.part<&motion::MotionState::lasers>().channels[channel];
+}
+Laser& LaserAt(const Call& call, size_t argument) {
   return call.card.motion.laser(static_cast<size_t>(call.integer(argument)));
 }
 
@@ -55,7 +59,7 @@ int16_t GT_SetHSIOOpt(Call& call) {
 }
 
 int16_t GT_GetHSIOOpt(Call& call) {
-  call.Set(0, LaserAt(call, 1).on ? 1 : 0);
+  call.Set(0, LaserOf(call, 1).on ? 1 : 0);
   return vm::kOk;
 }
 
@@ -100,7 +104,7 @@ int16_t GT_BufLaserOff(Call& call) {
 }
 
 int16_t GT_BufLaserPrfCmd(Call& call) {
-  const int16_t code = CheckPower(call, LaserAt(call, 3).bounds, call.value(1));
+  const int16_t code = CheckPower(call, LaserOf(call, 3).bounds, call.value(1));
   if (code != vm::kOk) return code;
   return Append(call, motion::BufferedKind::kLaserPower, 3, 0, {call.value(1)});
 }
