@@ -1,9 +1,9 @@
 // A coordinate system at work: its registers and FIFOs, its start and its stop. It maps the motion
 // along its path to its profiles, executes buffered commands and waits for moves that they start.
 //
-// Lanes neither hold nor read a coordinate system: what is set and appended leaves the card in
-// them, what changes profiles does not. All but SetUp() need a coordinate system that has been set
-// up. Tested by tests/motion/crd_test.cc and handles_test.cc.
+// Lanes neither hold nor read a coordinate system: a card stays in them while registers are set and
+// slots appended, and leaves them for what changes profiles. All but SetUp() need one that has been
+// set up. Tested by tests/motion/crd_test.cc and handles_test.cc.
 #pragma once
 
 #include <cstddef>

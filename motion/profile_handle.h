@@ -2,8 +2,8 @@
 //
 // Selecting a mode, setting a position and the registers of a mode are for a profile at rest unless
 // the mode says otherwise. No cycle reads the velocity, the target and the parameters of modes Trap,
-// Jog and S, or the decelerations of a stop: they can be set at any time, act with the next start or
-// stop, and leave the card in its lanes. Tested by tests/motion/handles_test.cc.
+// Jog and S, or the decelerations of a stop: they can be set at any time and act with the next start
+// or stop, and the card stays in its lanes. Tested by tests/motion/handles_test.cc.
 #pragma once
 
 #include <cstddef>
