@@ -18,6 +18,7 @@
 #include "compiler/compiler.h"
 #include "gtcalls/gts/catalogue.h"
 #include "runtime/host/host_api.h"
+#include "tests/fuzz/argument_bytes.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/object_writer.h"
 
@@ -31,32 +32,6 @@ using runtime::HostArgument;
 constexpr int kThreads = 32;
 /// Space for the largest number of elements of the largest structure that a pointer can refer to.
 constexpr size_t kBufferSize = size_t{1} << 20;
-
-/// The bytes of an input, one after another; zeros after the end.
-class Bytes {
- public:
-  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
-  bool empty() const { return bytes_.empty(); }
-  uint8_t Byte() {
-    uint8_t byte = 0;
-    Copy(&byte, 1);
-    return byte;
-  }
-  template <typename T>
-  T Value() {
-    T value{};
-    Copy(&value, sizeof value);
-    return value;
-  }
-  void Copy(void* to, size_t size) {
-    const size_t count = std::min(size, bytes_.size());
-    std::memcpy(to, bytes_.data(), count);
-    bytes_.remove_prefix(count);
-  }
-
- private:
-  std::string_view bytes_;
-};
 
 /// A folder with a source and its object, deleted at the end of the process.
 class ProgramFolder {
@@ -184,35 +159,11 @@ class Host {
       argument.pointer = Pointer(command, index, bytes);
     } else if (parameter.type == gtcalls::Scalar::kDouble) {
       argument.kind = HostArgument::Kind::kReal;
-      argument.real = Real(bytes);
+      argument.real = bytes->Real();
     } else {
-      argument.integer = Integer(parameter.type, bytes);
+      argument.integer = bytes->Integer(parameter.type);
     }
     return argument;
-  }
-
-  static double Real(Bytes* bytes) {
-    constexpr std::array kValues = {0.0, 1.0, -1.0, 0.5, 5e-324, 1e-9, 1e9, 2147483648.0, 1e308};
-    const uint8_t kind = bytes->Byte();
-    return kind < 2 * kValues.size() ? kValues[kind % kValues.size()] : bytes->Value<double>();
-  }
-
-  /// A value with the width of its type, as a C caller passes it.
-  static int64_t Integer(gtcalls::Scalar type, Bytes* bytes) {
-    const uint8_t kind = bytes->Byte();
-    if (kind < 200) return kind % 20;
-    switch (type) {
-      case gtcalls::Scalar::kShort:
-        return bytes->Value<int16_t>();
-      case gtcalls::Scalar::kUnsignedShort:
-        return bytes->Value<uint16_t>();
-      case gtcalls::Scalar::kChar:
-        return bytes->Value<char>();
-      case gtcalls::Scalar::kUnsignedChar:
-        return bytes->Value<uint8_t>();
-      default:
-        return kind < 228 ? bytes->Value<int32_t>() : bytes->Value<int64_t>();
-    }
   }
 
   void* Pointer(const Command& command, size_t index, Bytes* bytes) {
