@@ -30,6 +30,7 @@ constexpr Target kTargets[] = {
     {"session", FuzzSession},
     {"commands", FuzzCommands},
     {"threads", FuzzCommandsOfThreads},
+    {"families", FuzzFamilies},
     {"calls", FuzzCalls},
 };
 

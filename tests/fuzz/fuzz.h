@@ -38,6 +38,8 @@ void FuzzSession(std::string_view bytes);
 /// Calls commands, from one thread of a host or from 32.
 void FuzzCommands(std::string_view bytes);
 void FuzzCommandsOfThreads(std::string_view bytes);
+/// Calls commands of a card of any family, one that the input chooses.
+void FuzzFamilies(std::string_view input);
 
 /// Mutates a search file as a JSON document and updates its checksum. Returns the new size.
 size_t MutateSearch(uint8_t* data, size_t size, size_t max_size, unsigned seed);
