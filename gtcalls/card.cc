@@ -205,12 +205,20 @@ int16_t Perform(Call& call) {
   return code != vm::kOk ? code : function(call);
 }
 
+/// `code`: what the function has returned.
+int16_t Finish(Call& call, int16_t code) {
+  const auto finish = call.card.family.finish;
+  return call.waits || finish == nullptr ? code : finish(call, code);
+}
+
 }  // namespace
 
-int16_t ExecuteCommand(Call& call) {
-  const int16_t code = Perform(call);
-  const auto finish = call.card.family.finish;
-  return finish == nullptr ? code : finish(call, code);
+int16_t ExecuteCommand(Call& call) { return Finish(call, Perform(call)); }
+
+int16_t ResumeCommand(Call& call) {
+  call.waits = false;
+  call.ticked = true;
+  return Finish(call, call.card.family.FunctionOf(call.command)(call));
 }
 
 const vm::CommandShape* CardCommands::Find(uint16_t number) const {
@@ -239,7 +247,13 @@ int16_t CardCommands::Execute(Call& call) {
   if (observer_ == nullptr) return ExecuteCommand(call);
   observer_->BeforeCommand(call);
   const int16_t code = ExecuteCommand(call);
-  observer_->AfterCommand(call, code);
+  if (!call.waits) observer_->AfterCommand(call, code);
+  return code;
+}
+
+int16_t CardCommands::Resume(Call& call) {
+  const int16_t code = ResumeCommand(call);
+  if (observer_ != nullptr && !call.waits) observer_->AfterCommand(call, code);
   return code;
 }
 

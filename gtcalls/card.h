@@ -65,6 +65,10 @@ struct Call {
   Message reason;
   /// The same in the bits of the family's command register, for Family::finish; 0: not said.
   uint16_t cause = 0;
+  /// The function has no result yet (WaitForTick()).
+  bool waits = false;
+  /// It has waited, and is asked again.
+  bool ticked = false;
 
   double value(size_t index) const { return arguments[index].value; }
   int integer(size_t index) const { return static_cast<int>(arguments[index].value); }
@@ -80,6 +84,12 @@ struct Call {
     reason = std::move(why);
     return code;
   }
+  /// For a command that ends when the next cycle of the card has passed: its function returns this,
+  /// and is called again after the tick, with `ticked`. For commands of hosts only.
+  int16_t WaitForTick() {
+    waits = true;
+    return vm::kOk;
+  }
   /// Adds a remark to a command that succeeds.
   void Note(const Message& remark) {
     if (!reason.en.empty()) reason = {reason.en + "; ", reason.zh + "；"};
@@ -88,8 +98,10 @@ struct Call {
 };
 
 /// Checks NULL pointers and the catalogue's ranges (7), then executes the family's function. A
-/// refused command changes nothing.
+/// refused command changes nothing. If the call waits afterwards, it has no code yet: it is to be
+/// given to ResumeCommand() after the next tick, again as long as it waits.
 int16_t ExecuteCommand(Call& call);
+int16_t ResumeCommand(Call& call);
 
 /// Sees each command that a card executes for a host or a motion program. It must not change the
 /// card.
@@ -129,6 +141,8 @@ class CardCommands final : public vm::CommandTable {
                   std::span<vm::CommandArgument> arguments) override;
   /// Executes a call of the card's host or of a thread, as ExecuteCommand(), and shows it.
   int16_t Execute(Call& call);
+  /// The same for ResumeCommand().
+  int16_t Resume(Call& call);
 
  private:
   Card* card_;

@@ -10,8 +10,16 @@ CardTable& CardTable::OfProcess() {
   return table;
 }
 
-void CardSlot::CatchUp(int64_t cost_us) {
-  const int64_t passed_us = clock->TakeUs(cost_us);
+void CardSlot::CatchUp(int64_t cost_us) { Advance(clock->TakeUs(cost_us)); }
+
+void CardSlot::PassTick() {
+  const int64_t before = controller->cycle();
+  while (controller->cycle() == before && !(watch && watch->over())) {
+    Advance(clock->WaitUs(controller->UsToNextTick()));
+  }
+}
+
+void CardSlot::Advance(int64_t passed_us) {
   if (watch) {
     watch->AdvanceUs(controller.get(), passed_us);
   } else {

@@ -50,11 +50,16 @@ struct CardSlot {
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);
+  /// Lets an open card reach its next tick, or the end of its scenario, with its host.
+  void PassTick();
   /// Sets `earliest_end_ns`. A reset, after which the time of an open card begins anew, only makes
   /// the end later.
   void FindEarliestEnd();
   /// Closes the card if it is open, after it has caught up to at most the end of its scenario.
   void SwitchOff();
+
+ private:
+  void Advance(int64_t passed_us);
 };
 
 struct CardTable {

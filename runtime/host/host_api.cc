@@ -33,10 +33,23 @@ void TellHost(std::string inputs, int16_t code) {
   telling_host = false;
 }
 
+/// A command waits for the next tick; the scenario may be over before.
+void PassTick(CardSlot& slot) {
+  slot.PassTick();
+  EndHostIfOver(&slot);
+}
+
 /// Executes a command whose arguments have been read. The card is locked.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
                  std::span<vm::CommandArgument> arguments, Message* reason) {
-  if (service == nullptr) return slot.controller->Execute(command, arguments, reason);
+  if (service == nullptr) {
+    const int64_t cycle_ns = slot.controller->clock().cycle_ns();
+    const int16_t code =
+        slot.controller->Execute(command, arguments, reason, [&slot] { PassTick(slot); });
+    // The scenario ends with a cycle.
+    if (slot.controller->clock().cycle_ns() != cycle_ns) slot.FindEarliestEnd();
+    return code;
+  }
   ServiceCall call{command, CardTable::OfProcess(), slot, arguments, {}};
   const int16_t code = service->function(call);
   *reason = std::move(call.reason);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "base/number.h"
@@ -50,6 +51,13 @@ int64_t HostClock::TakeUs(int64_t cost_us) {
   fraction_us_ = elapsed_us - whole_us;
   taken_us_ = static_cast<int64_t>(whole_us);
   return taken_us_;
+}
+
+int64_t HostClock::WaitUs(int64_t microseconds) {
+  if (setting_.kind == ClockKind::kVirtual) return TakeUs(microseconds);
+  const double wall_us = static_cast<double>(microseconds) / setting_.scale;
+  std::this_thread::sleep_for(std::chrono::duration<double, std::micro>(wall_us));
+  return TakeUs(0);
 }
 
 void HostClock::CaughtUp() {

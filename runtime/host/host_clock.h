@@ -58,6 +58,9 @@ class HostClock {
   /// last call or the opening.
   int64_t TakeUs(int64_t cost_us);
 
+  /// Lets so many microseconds of card time pass before it does the same.
+  int64_t WaitUs(int64_t microseconds);
+
   /// To be called when the card has simulated the time from TakeUs(). If that took longer than the
   /// simulated time, and longer than kBehindLimitNs, the difference is dropped.
   void CaughtUp();

@@ -133,9 +133,18 @@ int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandA
 }
 
 int16_t Controller::Execute(const gtcalls::Command& command,
-                            std::span<vm::CommandArgument> arguments, Message* reason) {
+                            std::span<vm::CommandArgument> arguments, Message* reason,
+                            const TickPasser& pass) {
   gtcalls::Call call{command, card_, vm::kHostCaller, arguments, {}};
-  const int16_t code = commands_.Execute(call);
+  int16_t code = commands_.Execute(call);
+  while (call.waits) {
+    if (pass) {
+      pass();
+    } else {
+      AdvanceUs(UsToNextTick());
+    }
+    code = commands_.Resume(call);
+  }
   // Most commands have nothing to say.
   if (reason != nullptr && !call.reason.en.empty()) *reason = std::move(call.reason);
   return code;

@@ -106,13 +106,17 @@ class Controller {
 
   // --- Host calls ------------------------------------------------------------------------------
 
+  /// Lets time pass up to the next tick.
+  using TickPasser = std::function<void()>;
+
   /// Executes a command for the host: first the time that it takes passes, then it acts. `reason`,
   /// empty before, explains a code other than 0.
   int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                Message* reason = nullptr);
-  /// The same without advancing time, for callers that manage the clock themselves.
+  /// The same for callers that manage the clock themselves: no time passes, unless the command ends
+  /// at the next tick, up to which `pass` lets it pass; without it, it does so at once.
   int16_t Execute(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
-                  Message* reason = nullptr);
+                  Message* reason = nullptr, const TickPasser& pass = {});
 
   // --- Time ------------------------------------------------------------------------------------
 

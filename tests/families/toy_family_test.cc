@@ -155,6 +155,33 @@ expect = [
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }
 
+// The call begins 0.05 ms after the one before it has ended, and ends with the cycle.
+TEST(ToyTick, LetsTimePassToTheEndOfTheCycle) {
+  const ScratchFolder folder;
+  const ProcessResult host = RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_tick"},
+                                    folder, {"ONCARD_LOG=calls:log.txt"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(folder.Read("log.txt"),
+            "0.000 card0 TOY_Open(0) = 0\n"
+            "0.050 card0 TOY_Move(1, {velocity=10, acceleration=10}) = 0\n"
+            "0.100 card0 TOY_Tick(pCycle) = 0, pCycle=[1]\n"
+            "1.050 card0 TOY_Tick(pCycle) = 0, pCycle=[2]\n"
+            "2.050 card0 TOY_Move(2, {velocity=10, acceleration=10}) = 0\n"
+            "2.050 card0 TOY_Close() = 0\n");
+  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+// The scenario is over before the second cycle ends.
+TEST(ToyTick, WaitsNoLongerThanTheScenarioLasts) {
+  const ScratchFolder folder;
+  folder.Write("tick.host.toml",
+               "card = \"TOY-3\"\nuntil_ms = 1\nexpect = [\"axis1.prfPos == 5 @ 1ms\"]\n");
+  const ProcessResult host =
+      RunToy({"exec", "--scenario=tick.host.toml", "--", kFolder + "/toy_tick"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+}
+
 TEST(ToyCommands, AreListed) {
   const ScratchFolder folder;
   const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);

@@ -31,8 +31,14 @@ int16_t SetCycle(Call& call) {
   return vm::kOk;
 }
 
+int16_t Tick(Call& call) {
+  if (!call.ticked) return call.WaitForTick();
+  call.Set(0, static_cast<double>(call.card.motion.cycle()));
+  return vm::kOk;
+}
+
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr, SetCycle};
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr, SetCycle, Tick};
 
 }  // namespace
 
