@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "gtcalls/card.h"
 #include "gtcalls/catalogue.h"
@@ -14,12 +15,38 @@ namespace oncard::gtcalls {
 /// coordinate system has.
 size_t CrdDimension(const Card& card, double crd);
 
-/// Elements behind a pointer parameter without a count: one, or for the parameters that say
-/// per_dimension or per_offset as many as the card has now. `first` is the command's first
-/// argument.
+/// True for a pointer parameter without a count whose elements depend on the state of the card.
+bool DependsOnCard(const Parameter& parameter);
+
+/// Elements behind a pointer parameter without a count: one, or for the parameters of
+/// DependsOnCard() as many as the card has now. `first` is the command's first argument.
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first);
 
-/// Number of cells for one element of a pointer parameter: one, or one per scalar of the structure.
+/// Number of cells for one element of a pointer parameter: one, or one per scalar of the structure;
+/// of Passing::kHostMemory one per array.
 size_t CellsPerElement(const Parameter& parameter);
+
+/// The cells of an argument with Passing::kHostMemory, for the command that fills the arrays. The
+/// first of its elements says of each array whether there is one.
+class HostArrays {
+ public:
+  HostArrays(std::span<double> cells, const Parameter& parameter)
+      : cells_(cells), arrays_(CellsPerElement(parameter)) {}
+
+  size_t arrays() const { return arrays_; }
+  /// The number of elements of each.
+  size_t elements() const { return cells_.size() / arrays_ - 1; }
+  /// True if the host has passed the address of an array.
+  bool given(size_t array) const { return cells_[array] != 0; }
+  /// The command does not fill it: the host's array stays as it is.
+  void LeaveOut(size_t array) { cells_[array] = 0; }
+  void Set(size_t array, size_t element, double value) {
+    cells_[(element + 1) * arrays_ + array] = value;
+  }
+
+ private:
+  std::span<double> cells_;
+  size_t arrays_;
+};
 
 }  // namespace oncard::gtcalls

@@ -45,6 +45,19 @@ int CellCount(const Structure& structure) {
   return count;
 }
 
+std::vector<Scalar> ArraysOf(const Structure& structure) {
+  std::vector<Scalar> types;
+  for (const Member& member : structure.members) {
+    for (int i = 0; i < std::max(member.array_size, 1); ++i) {
+      if (member.pointer) types.push_back(member.type);
+      if (member.structure == nullptr) continue;
+      const std::vector<Scalar> nested = ArraysOf(*member.structure);
+      types.insert(types.end(), nested.begin(), nested.end());
+    }
+  }
+  return types;
+}
+
 // --- Spelling -----------------------------------------------------------------------------------
 
 std::string_view SpellScalar(Scalar scalar) {
@@ -84,6 +97,7 @@ std::string DeclareParameter(const Parameter& parameter) {
     case Passing::kInput:
     case Passing::kOutput:
     case Passing::kLent:
+    case Passing::kHostMemory:
       break;
   }
   return fmt::format("{} *{}", type, parameter.name);

@@ -36,7 +36,9 @@ enum class Passing : uint8_t {
   kLent,        ///< pointer to working memory for the vendor's library: never accessed here
   kText,        ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput,  ///< `char**`: receives the address of a text that the library keeps
-  kHandler      ///< a function of the host, which the host library calls
+  kHandler,     ///< a function of the host, which the host library calls
+  kHostMemory   ///< pointer to a structure of pointers to arrays of the host, which the command
+                ///< fills
 };
 
 /// Reliability of the interface row: A in the manuals or accepted by the vendor's compiler, B in
@@ -93,7 +95,7 @@ struct Member {
   std::string_view name;
   Scalar type = Scalar::kShort;
   int array_size = 0;                    ///< elements, 0 for a scalar
-  bool pointer = false;                  ///< a pointer to `type` (TCompileInfo only)
+  bool pointer = false;                  ///< a pointer to `type`
   const Structure* structure = nullptr;  ///< a nested structure; `type` is then unused
 };
 
@@ -254,6 +256,10 @@ constexpr vm::DataType ProgramType(Scalar scalar) {
 /// Scalars of a structure, nested ones and array elements counted one by one. Text and pointers are
 /// not counted: programs and commands never access them.
 int CellCount(const Structure& structure);
+
+/// The types of the arrays to which a structure's pointers refer, in the order of its members,
+/// nested ones included.
+std::vector<Scalar> ArraysOf(const Structure& structure);
 
 /// The C spelling of a scalar type.
 std::string_view SpellScalar(Scalar scalar);

@@ -94,6 +94,9 @@ struct Family {
   int64_t cycle_ns = 0;
   /// The virtual time of a call from the host, in microseconds.
   int64_t (*cost_us)(const Command& command);
+  /// How many elements the arrays of a host have that a command with Passing::kHostMemory fills, as
+  /// the card is now; nullptr: there is no such command.
+  size_t (*array_elements)(const CardView& card) = nullptr;
   /// The status word of an axis, counted from 0, as the family's commands return it.
   uint32_t (*status_word)(const CardView& card, size_t axis);
   /// The number of a profile's mode, as the family's commands return it.

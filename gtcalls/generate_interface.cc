@@ -411,6 +411,12 @@ struct Writer {{
   }}
 }};
 
+/// Takes the pointers of a structure one after the other.
+struct ArrayReader {{
+  void** next;
+  void operator()(void* array) {{ *next++ = array; }}
+}};
+
 )";
 
 void AppendVisit(std::string* out, const Member& member) {
@@ -427,6 +433,20 @@ void AppendVisit(std::string* out, const Member& member) {
   }
 }
 
+/// The same for pointers to arrays.
+void AppendVisitOfArrays(std::string* out, const Member& member) {
+  const bool several = member.array_size > 0;
+  const std::string each = several ? "element" : fmt::format("structure.{}", member.name);
+  std::string visit;
+  if (member.pointer) visit = fmt::format("visit({})", each);
+  if (member.structure != nullptr && !ArraysOf(*member.structure).empty()) {
+    visit = fmt::format("Visit{}Arrays({}, visit)", member.structure->name, each);
+  }
+  if (visit.empty()) return;
+  const std::string loop = fmt::format("for (auto& element : structure.{}) ", member.name);
+  Append(out, "  {}{};\n", several ? loop : "", visit);
+}
+
 std::string StructureConversions(const InterfaceForm& form) {
   const Catalogue& catalogue = form.catalogue;
   std::string out;
@@ -436,6 +456,7 @@ std::string StructureConversions(const InterfaceForm& form) {
   std::string read_cases;
   std::string write_cases;
   std::string size_cases;
+  std::string array_cases;
   for (const Structure& structure : catalogue.structures()) {
     const std::string_view name = structure.name;
     Append(&out,
@@ -444,6 +465,15 @@ std::string StructureConversions(const InterfaceForm& form) {
            name);
     for (const Member& member : structure.members) AppendVisit(&out, member);
     out += "}\n\n";
+    const bool has_arrays = !ArraysOf(structure).empty();
+    if (has_arrays) {
+      Append(&out,
+             "template <typename S, typename Visitor>\n"
+             "void Visit{}Arrays(const S& structure, Visitor& visit) {{\n",
+             name);
+      for (const Member& member : structure.members) AppendVisitOfArrays(&out, member);
+      out += "}\n\n";
+    }
     const auto number = &structure - catalogue.structures().data();
     Append(&read_cases,
            "    case {0}:\n      return Visit{1}(*static_cast<const {1}*>(host), visit);\n", number,
@@ -451,6 +481,10 @@ std::string StructureConversions(const InterfaceForm& form) {
     Append(&write_cases, "    case {0}:\n      return Visit{1}(*static_cast<{1}*>(host), visit);\n",
            number, name);
     Append(&size_cases, "    case {}:\n      return sizeof({});\n", number, name);
+    if (!has_arrays) continue;
+    Append(&array_cases,
+           "    case {0}:\n      return Visit{1}Arrays(*static_cast<const {1}*>(host), visit);\n",
+           number, name);
   }
   const std::string position =
       fmt::format("&structure - gtcalls::{}().structures().data()", form.catalogue_function);
@@ -468,8 +502,13 @@ std::string StructureConversions(const InterfaceForm& form) {
          "  }}\n}}\n\n"
          "size_t StructureSize(const gtcalls::Structure& structure) {{\n"
          "  switch ({3}) {{\n{2}    default:\n      return 0;\n"
+         "  }}\n}}\n\n"
+         "void ArraysOfHost(const gtcalls::Structure& structure,\n"
+         "                  [[maybe_unused]] const void* host, std::span<void*> arrays) {{\n"
+         "  [[maybe_unused]] ArrayReader visit{{arrays.data()}};\n"
+         "  switch ({3}) {{\n{4}    default:\n      return;\n"
          "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
-         read_cases, write_cases, size_cases, position);
+         read_cases, write_cases, size_cases, position, array_cases);
   return out;
 }
 

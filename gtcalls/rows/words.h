@@ -96,6 +96,8 @@ struct Spec {
   constexpr Spec Output() const { return Passed(Passing::kOutput); }
   /// A pointer to memory that the card does not need.
   constexpr Spec Lent() const { return Passed(Passing::kLent); }
+  /// A pointer to a structure of pointers to arrays, which are filled.
+  constexpr Spec HostMemory() const { return Passed(Passing::kHostMemory); }
   /// The number of elements is the value of the parameter with this name.
   constexpr Spec Elements(std::string_view count) const {
     Spec changed = *this;

@@ -56,6 +56,10 @@ void StructureToCells(const gtcalls::Structure& structure, const void* host,
 void StructureFromCells(const gtcalls::Structure& structure, std::span<const double> cells,
                         void* host);
 
+/// The addresses of the arrays of the host to which the structure's pointers refer; `arrays` has an
+/// element for each of gtcalls::ArraysOf().
+void ArraysOfHost(const gtcalls::Structure& structure, const void* host, std::span<void*> arrays);
+
 /// Bytes of one element of a host's array of them.
 size_t StructureSize(const gtcalls::Structure& structure);
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gtcalls/card_elements.h"
 #include "runtime/host/host_structures.h"
@@ -114,7 +115,7 @@ Error BadPointer(const Parameter& parameter, const void* pointer) {
 /// is out of its range.
 std::optional<size_t> ElementCount(const Command& command, const Parameter& parameter,
                                    const gtcalls::Card* card, const MarshalledCall& call) {
-  if (parameter.per_dimension || parameter.per_offset) {
+  if (gtcalls::DependsOnCard(parameter)) {
     return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
   }
   if (parameter.count_parameter < 0) return 1;
@@ -134,7 +135,8 @@ Error BadCount(const Command& command, const Parameter& parameter, const Marshal
 }
 
 bool HasCells(const Parameter& parameter) {
-  return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput;
+  return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput ||
+         parameter.passing == Passing::kHostMemory;
 }
 
 /// Calls `visit(index)` for each bit of `set`.
@@ -169,6 +171,31 @@ Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& ar
     argument.cells[i] = *value;
   }
   return {};
+}
+
+std::vector<void*> ArraysBehind(const Parameter& parameter, const vm::CommandArgument& argument) {
+  std::vector<void*> arrays(CellsPerElement(parameter));
+  ArraysOfHost(*parameter.structure, argument.host, arrays);
+  return arrays;
+}
+
+/// Says in the first element of the cells which arrays there are.
+void LookForArrays(const Parameter& parameter, const vm::CommandArgument& argument) {
+  if (argument.cells.empty()) return;  // the card is not open
+  const std::vector<void*> arrays = ArraysBehind(parameter, argument);
+  for (size_t i = 0; i < arrays.size(); ++i) argument.cells[i] = IsAddress(arrays[i]) ? 1 : 0;
+}
+
+void FillArrays(const Parameter& parameter, const vm::CommandArgument& argument) {
+  const std::vector<gtcalls::Scalar> types = ArraysOf(*parameter.structure);
+  const std::vector<void*> arrays = ArraysBehind(parameter, argument);
+  const size_t elements = argument.cells.size() / arrays.size();
+  for (size_t i = 0; i < arrays.size(); ++i) {
+    if (argument.cells[i] == 0) continue;
+    for (size_t element = 1; element < elements; ++element) {
+      WriteScalar(types[i], arrays[i], element - 1, argument.cells[element * arrays.size() + i]);
+    }
+  }
 }
 
 }  // namespace
@@ -224,6 +251,7 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     vm::CommandArgument& argument = call->arguments[i];
     argument.cells = {next_cell, cell_counts[i]};
     next_cell += cell_counts[i];
+    if (parameter.passing == Passing::kHostMemory) LookForArrays(parameter, argument);
     if (parameter.passing != Passing::kInput) return;
     const auto read = ReadCells(parameter, argument);
     if (!read.ok()) {
@@ -239,6 +267,9 @@ void WriteOutputs(const Command& command, const MarshalledCall& call, int16_t co
   ForEachIn(call.with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
     const vm::CommandArgument& argument = call.arguments[i];
+    if (parameter.passing == Passing::kHostMemory && code == vm::kOk) {
+      FillArrays(parameter, argument);
+    }
     if (parameter.passing != Passing::kOutput) return;
     if (code != vm::kOk && !parameter.on_refusal) return;
     if (parameter.structure != nullptr) {

@@ -1,7 +1,9 @@
 // Host arguments as command arguments and back. Scalars travel as doubles, which hold every value
 // of the interface exactly; what a pointer points to is copied into cells, one double per scalar,
 // before the command and copied back after it. Memory of the host is accessed only after NULL and
-// the number of elements have been checked.
+// the number of elements have been checked. A structure of pointers to arrays that a command fills
+// (Passing::kHostMemory) has a cell for each array, which says whether there is one, and then their
+// elements.
 //
 // The vendor's `long` has 32 bits, the host's may have 64. A 64-bit value that is a sign-extended
 // or zero-extended 32-bit pattern is taken as that pattern, so that 0x80000000 and 0xFFFFFFFF have

@@ -94,11 +94,11 @@ void AppendStructure(const gtcalls::Structure& structure, std::span<const double
     if (line->back() != '{') *line += ", ";
     *line += member.name;
     *line += '=';
+    const size_t count = member.array_size == 0 ? 1 : static_cast<size_t>(member.array_size);
     if (member.structure != nullptr) {
-      AppendStructure(*member.structure, cells, line);
+      for (size_t i = 0; i < count; ++i) AppendStructure(*member.structure, cells, line);
       continue;
     }
-    const size_t count = member.array_size == 0 ? 1 : static_cast<size_t>(member.array_size);
     const auto part = cells->first(count);
     *cells = cells->subspan(count);
     if (member.array_size == 0) {

@@ -182,6 +182,21 @@ TEST(ToyTick, WaitsNoLongerThanTheScenarioLasts) {
   EXPECT_EQ(host.exit_code, 0) << host.err;
 }
 
+// Axis 1 has moved 5 pulses in the first of five cycles and 10 in each other, axis 2 rests: the
+// velocity of axis 2, whose array is that of axis 1, is left out.
+TEST(ToySample, FillsTheArraysOfTheHost) {
+  const ScratchFolder folder;
+  const ProcessResult host =
+      RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_sample"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out, "45 10 0\n35 10 0\n25 10 0\n-1 -1 -1\n0\n7\n");
+  // Which arrays there were is in the record.
+  EXPECT_THAT(folder.Read("host.calls"),
+              AllOf(HasSubstr("[[1,1,1,0]]"), HasSubstr("[[1,0,1,0]]"), HasSubstr("[[1,0,0,1]]")));
+  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
 TEST(ToyCommands, AreListed) {
   const ScratchFolder folder;
   const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);

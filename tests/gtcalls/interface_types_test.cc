@@ -61,6 +61,7 @@ constexpr bool Agrees(const Parameter& parameter) {
     case Passing::kInput:
     case Passing::kOutput:
     case Passing::kLent:
+    case Passing::kHostMemory:
       break;
   }
   if (!std::is_pointer_v<T>) return false;

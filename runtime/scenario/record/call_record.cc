@@ -102,6 +102,12 @@ void AppendList(const Elements& elements, const Append& append, std::string* lin
   *line += ']';
 }
 
+/// True for a pointer whose record has cells: the values that it refers to, or which arrays of the
+/// host there are.
+bool IsRead(const Parameter& parameter) {
+  return parameter.passing == Passing::kInput || parameter.passing == Passing::kHostMemory;
+}
+
 void AppendArgument(const Parameter& parameter, const RecordedCall::Argument& argument,
                     std::string* line) {
   if (parameter.passing == Passing::kValue) return AppendJsonNumber(argument.value, line);
@@ -109,7 +115,7 @@ void AppendArgument(const Parameter& parameter, const RecordedCall::Argument& ar
     *line += "null";
   } else if (parameter.passing == Passing::kText) {
     *line += JsonText(TextOfBytes(argument.text));
-  } else if (parameter.passing != Passing::kInput || argument.unread) {
+  } else if (!IsRead(parameter) || argument.unread) {
     *line += "true";
   } else {
     AppendList(
@@ -213,10 +219,10 @@ bool ReadArgument(const Parameter& parameter, const Json& json, RecordedCall::Ar
     // The host's texts end with a NUL.
     return argument->text.find('\0') == std::string::npos;
   }
-  if (parameter.passing == Passing::kInput && json.is_array()) {
+  if (IsRead(parameter) && json.is_array()) {
     return ReadCells(parameter, json, &argument->cells);
   }
-  argument->unread = parameter.passing == Passing::kInput;
+  argument->unread = IsRead(parameter);
   return json == true;
 }
 
@@ -407,6 +413,14 @@ RecordedCall RecordCall(const LoggedCall& call, bool acts) {
         argument.unread = from.null && !argument.null;
         argument.cells.assign(from.cells.begin(), from.cells.end());
         break;
+      case Passing::kHostMemory: {
+        argument.null = from.null && from.host == nullptr;
+        argument.unread = from.cells.empty() && !argument.null;
+        const size_t arrays = CellsPerElement(call.command.parameters[i]);
+        const auto which = from.cells.first(std::min(arrays, from.cells.size()));
+        argument.cells.assign(which.begin(), which.end());
+        break;
+      }
       case Passing::kText:
         argument.null = from.null;
         if (!from.null) argument.text = static_cast<const char*>(from.host);

@@ -36,7 +36,7 @@ class Arguments {
         counts[i] = recorded.cells.size();
         if (card != nullptr && counts[i] != CellsOf(call, parameters[i], *card)) fits_ = false;
       }
-      if (passing == Passing::kOutput && card != nullptr) {
+      if ((passing == Passing::kOutput || passing == Passing::kHostMemory) && card != nullptr) {
         counts[i] = CellsOf(call, parameters[i], *card);
       }
       total += counts[i];
@@ -46,9 +46,9 @@ class Arguments {
     for (size_t i = 0; i < count_; ++i) {
       arguments_[i].cells = rest.first(counts[i]);
       rest = rest.subspan(counts[i]);
-      if (parameters[i].passing != Passing::kInput) continue;
       const auto& recorded = call.arguments[i].cells;
-      for (size_t cell = 0; cell < counts[i]; ++cell) arguments_[i].cells[cell] = recorded[cell];
+      std::copy_n(recorded.begin(), std::min(recorded.size(), counts[i]),
+                  arguments_[i].cells.begin());
     }
   }
   Arguments(const Arguments&) = delete;
@@ -62,7 +62,7 @@ class Arguments {
   /// The cells behind a pointer.
   size_t CellsOf(const RecordedCall& call, const Parameter& parameter, const gtcalls::Card& card) {
     const size_t per_element = gtcalls::CellsPerElement(parameter);
-    if (parameter.per_dimension || parameter.per_offset) {
+    if (gtcalls::DependsOnCard(parameter)) {
       return per_element * gtcalls::ElementsOnCard(parameter, card, call.arguments[0].value);
     }
     if (parameter.count_parameter < 0) return per_element;

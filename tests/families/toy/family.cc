@@ -1,6 +1,7 @@
 // The family: cards of two and of three axes, whose one motion is a jog.
 #include "gtcalls/family.h"
 #include "gtcalls/card.h"
+#include "gtcalls/card_elements.h"
 #include "motion/profiles/modes.h"
 #include "tests/families/toy/catalogue.h"
 
@@ -37,8 +38,29 @@ int16_t Tick(Call& call) {
   return vm::kOk;
 }
 
+/// Of axes that move with a constant velocity. Positions must be given, velocities may be.
+int16_t Sample(Call& call) {
+  HostArrays arrays(call.cells(0), call.command.parameters[0]);
+  for (size_t axis = 0; axis < arrays.arrays() / 2; ++axis) {
+    const size_t position = 2 * axis;
+    const size_t velocity = position + 1;
+    if (!arrays.given(position)) {
+      return call.Refuse(vm::kBadParameter, {"an array of positions is NULL", "位置数组为 NULL"});
+    }
+    const motion::Profile& profile = call.card.motion.profile(axis);
+    for (size_t i = 0; i < arrays.elements(); ++i) {
+      const double back = static_cast<double>(i) * profile.now.velocity;
+      arrays.Set(position, i, profile.now.position - back);
+      arrays.Set(velocity, i, profile.now.velocity);
+    }
+    if (profile.now.velocity == 0) arrays.LeaveOut(velocity);
+  }
+  return vm::kOk;
+}
+
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr, SetCycle, Tick};
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr,  Move, nullptr,
+                                          nullptr, SetCycle, Tick, Sample};
 
 }  // namespace
 
@@ -63,6 +85,7 @@ const Family& ToyFamily() {
       .cost_us = [](const Command& command) -> int64_t {
         return command.cost == Cost::kNone ? 0 : 50;
       },
+      .array_elements = [](const CardView&) -> size_t { return 3; },
       .status_word = [](const CardView& card, size_t axis) { return card.motion.Conditions(axis); },
       .mode_number = [](motion::ProfileMode mode) { return static_cast<int>(mode); },
       // A family that keeps something has an alternative of its own in family_state.h.
