@@ -120,37 +120,28 @@ void ForEachWatched(const Watch& watch, const Visit& visit) {
 }  // namespace
 
 int16_t GetWatch(ServiceCall& call) {
-  auto& state = call.slot.controller->card().state<gtcalls::GeState>();
-  Watch& watch = state.watch;
+  Controller& controller = *call.slot.controller;
+  auto& state = controller.card().state<gtcalls::GeState>();
+  const Watch& watch = state.watch;
   const auto* axes = static_cast<const WatchedAxis*>(call.arguments[0].host);
-  const auto refuse = [&](int16_t code, Message why) {
-    state.command_register = gtcalls::ge::kIllegal;
-    return call.Refuse(code, std::move(why));
-  };
-  if (!watch.started) {
-    return refuse(vm::kRefused, {"nothing is watched, call GT_StartWatch first",
-                                 "尚未启动监测，请先调用 GT_StartWatch"});
-  }
   bool missing = false;
   ForEachWatched(watch, [&](size_t axis, WatchedValue value) {
     missing = missing || !IsAddress(ArrayOf(axes[axis], value));
   });
-  if (missing) {
-    return refuse(vm::kBadParameter,
-                  {"buffer has no array for a watched value", "buffer 中没有某个监测数据的数组"});
+  if (watch.started && missing) {
+    state.command_register = gtcalls::ge::kIllegal;
+    return call.Refuse(vm::kBadParameter, {"buffer has no array for a watched value",
+                                           "buffer 中没有某个监测数据的数组"});
   }
-  state.command_register = 0;
   const std::span<const double> batch = watch.batches.FullBank();
-  call.arguments[1].cells[0] = batch.empty() ? 0 : 1;
-  if (batch.empty()) return vm::kOk;
-  auto sample = batch.begin();
-  for (size_t i = 0; i < watch.size; ++i) {
+  for (size_t i = 0; i < watch.size && !batch.empty(); ++i) {
+    auto sample = batch.begin() + static_cast<std::ptrdiff_t>(i * batch.size() / watch.size);
     ForEachWatched(watch, [&](size_t axis, WatchedValue value) {
       Store(ArrayOf(axes[axis], value), value, i, *sample++);
     });
   }
-  watch.batches.FreeBank();
-  return vm::kOk;
+  call.acts = true;
+  return controller.Execute(call.command, call.arguments, &call.reason);
 }
 
 }  // namespace oncard::runtime

@@ -31,6 +31,20 @@ int16_t GT_StartWatch(Call& call) {
   return vm::kOk;
 }
 
+/// The host library has given the batch to the host.
+int16_t GT_GetWatch(Call& call) {
+  Watch& watch = StateOf(call).watch;
+  if (!watch.started) {
+    call.cause = kIllegal;
+    return call.Refuse(vm::kRefused, {"nothing is watched, call GT_StartWatch first",
+                                      "尚未启动监测，请先调用 GT_StartWatch"});
+  }
+  const bool full = !watch.batches.FullBank().empty();
+  call.Set(1, full ? 1 : 0);
+  if (full) watch.batches.FreeBank();
+  return vm::kOk;
+}
+
 int16_t GT_StopWatch(Call& call) {
   StateOf(call).watch.batches.Stop();
   return vm::kOk;

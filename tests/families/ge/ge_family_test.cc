@@ -81,12 +81,14 @@ TEST(GeCards, AreNamedByTheEnvironmentOrTheScenario) {
 }
 
 TEST(GeHostRecord, IsReplayed) {
-  const ScratchFolder folder;
-  ASSERT_EQ(RunOncard({"exec", "--record=host.calls", "--", kFolder + "/ge_host_c"}, folder.path())
-                .exit_code,
-            0);
-  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  for (const char* host : {"/ge_host_c", "/ge_watch"}) {
+    const ScratchFolder folder;
+    ASSERT_EQ(
+        RunOncard({"exec", "--record=host.calls", "--", kFolder + host}, folder.path()).exit_code,
+        0);
+    const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
+    EXPECT_EQ(replay.exit_code, 0) << host << replay.err;
+  }
 }
 
 TEST(GeCommands, AreAllImplemented) {
