@@ -49,18 +49,17 @@ void MeasureTrap() {
   config.cycle_us = 1000;
   motion::MotionCore core(config);
   for (size_t i = 0; i < core.axis_count(); ++i) {
-    motion::TrapMode& trap = core.state().profiles[i].trap;
-    trap.parameters = {0.25, 0.125, 0, 25};
-    trap.velocity = 50;
+    core.ProfileAt(i).SetParameters(motion::TrapParameters{0.25, 0.125, 0, 25});
+    core.ProfileAt(i).SetVelocity(50);
   }
   int64_t moves = 0;
   const double seconds = MeasureCpu([&] {
     for (int64_t tick = 0; tick < kTicks; ++tick) {
       for (size_t i = 0; i < core.axis_count(); ++i) {
-        motion::Profile& profile = core.state().profiles[i];
+        const motion::Profile& profile = core.profile(i);
         if (profile.now.moving) continue;
-        profile.trap.target = profile.trap.target == 0 ? 50'000 : 0;
-        core.StartProfile(i);
+        core.ProfileAt(i).SetTarget(profile.trap.target == 0 ? 50'000 : 0);
+        core.ProfileAt(i).Start();
         ++moves;
       }
       core.Tick();
@@ -73,14 +72,13 @@ void MeasureTrap() {
 // Closed loop: 12 axes jog, each with its own controller and velocity drive.
 void BeginServo(motion::MotionCore& core) {
   for (size_t i = 0; i < core.axis_count(); ++i) {
-    core.state().drives[i] = motion::VelocityDrive(100, 2, 0, core.config().ServoMs());
-    core.state().controls[i].sets[0] = {.kp = 20};
-    core.SetClosedLoop(i, true);
-    core.ServoOn(i);
-    motion::Profile& profile = core.state().profiles[i];
-    profile.mode = motion::ProfileMode::kJog;
-    profile.jog.velocity = 10;
-    core.StartProfile(i);
+    core.ConnectDrive(i, motion::VelocityDrive(100, 2, 0, core.config().ServoMs()));
+    core.ControlAt(i).SetPidSet(0, {.kp = 20});
+    core.AxisAt(i).SetClosedLoop(true);
+    core.AxisAt(i).ServoOn();
+    core.ProfileAt(i).SelectMode(motion::ProfileMode::kJog);
+    core.ProfileAt(i).SetVelocity(10);
+    core.ProfileAt(i).Start();
   }
 }
 
@@ -135,9 +133,10 @@ void MeasureShortWays() {
           [&](const motion::MotionCore& core) { sum += core.profile(0).now.position; });
   measure("  and the whole state is read",
           [&](const motion::MotionCore& core) { sum += core.state().plants[0].position; });
-  measure("  and a profile is started", [](motion::MotionCore& core) { core.StartProfile(0); });
+  measure("  and a profile is started",
+          [](motion::MotionCore& core) { core.ProfileAt(0).Start(); });
   measure("  and something is changed",
-          [](motion::MotionCore& core) { core.state().axes[0].band = 5; });
+          [](motion::MotionCore& core) { core.AxisAt(0).SwitchAlarm(true); });
   if (sum <= 0) Fail("the axes did not move");
 }
 
@@ -148,22 +147,21 @@ void BeginBus(motion::MotionCore& core, motion::DriveKind kind) {
     drives.push_back(motion::bus::DefaultSlave(motion::bus::SlaveKind::kDrive));
     drives.back().axis = static_cast<int8_t>(i);
     if (kind == motion::DriveKind::kIdeal) continue;
-    core.state().drives[i] = motion::VelocityDrive(100, 2, 0, core.config().ServoMs());
+    core.ConnectDrive(i, motion::VelocityDrive(100, 2, 0, core.config().ServoMs()));
   }
   const auto slaves = std::make_shared<const motion::bus::Slaves>(std::move(drives));
   core.ConnectBus(slaves, slaves);
-  motion::bus::Bus& bus = core.state().bus->line;
+  motion::bus::Bus& bus = *core.bus_line();
   if (bus.Init(core.now()) != motion::bus::InitOutcome::kDone) Fail("the bus does not begin");
   while (!bus.ready()) core.Tick();
   bus.Start();
   for (size_t i = 0; i < core.axis_count(); ++i) {
-    core.ServoOn(i);
-    motion::Profile& profile = core.state().profiles[i];
-    profile.mode = motion::ProfileMode::kJog;
-    profile.jog.velocity = 10;
+    core.AxisAt(i).ServoOn();
+    core.ProfileAt(i).SelectMode(motion::ProfileMode::kJog);
+    core.ProfileAt(i).SetVelocity(10);
   }
   for (int i = 0; i < 8; ++i) core.Tick();
-  for (size_t i = 0; i < core.axis_count(); ++i) core.StartProfile(i);
+  for (size_t i = 0; i < core.axis_count(); ++i) core.ProfileAt(i).Start();
 }
 
 // As lanes, a millisecond at a time as between the calls of a host, and cycle by cycle without
@@ -220,14 +218,11 @@ void MeasurePath() {
     motion::MotionConfig config;
     config.cycle_us = 1000;
     motion::MotionCore core(config);
-    core.SetUpCrd(0,
-                  {.dimension = 2, .profile = {1, 2}, .velocity_max = 100, .acceleration_max = 1});
-    motion::Crd& crd = core.state().crds[0];
-    motion::CrdFifo& fifo = crd.fifos[0];
-    motion::PathLimits limits;
-    limits.rule = {motion::JointRule::kCorners, 1};
-    limits.corner_time = 5;
-    fifo.planner.Emplace({.limits = limits, .capacity = 200});
+    core.CrdAt(0).SetUp(
+        {.dimension = 2, .coordinates = {1, 2}, .velocity_max = 100, .acceleration_max = 1});
+    core.CrdAt(0).BeginLookAhead(0, 5, 1, 200);
+    const motion::Crd& crd = core.part<&motion::MotionState::crds>()[0];
+    const motion::CrdFifo& fifo = crd.fifos[0];
     const auto append = [&](int number) {
       motion::PathSlot slot;
       slot.is_segment = true;
@@ -243,7 +238,7 @@ void MeasurePath() {
     core.CrdAt(0).Start(0, false);
     for (; crd.run.running; ++ticks) {
       while (sent < kSegments && append(sent)) ++sent;
-      if (sent == kSegments && !fifo.Ahead().empty()) fifo.Flush();
+      if (sent == kSegments && !fifo.Ahead().empty()) core.CrdAt(0).Flush(0);
       core.Tick();
     }
     if (sent != kSegments || fifo.done != kSegments) Fail("the path has not been run to its end");
