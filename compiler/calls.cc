@@ -91,22 +91,22 @@ std::string NumberText(double value) { return fmt::format("{:g}", value); }
 
 void Checker::ReportUnknownCall(const Expression& callee) {
   const std::string_view name = callee.text;
-  if (function_names_.contains(name)) {
-    Teach(Code::kUserCall, callee.range, name);
+  if (context_.function_names.contains(name)) {
+    context_.Teach(Code::kUserCall, callee.range, name);
     return;
   }
-  failed_ = true;
-  if (skipped_names_.contains(name)) return;
-  if (const Entity* entity = Lookup(name)) {
+  context_.statement.failed = true;
+  if (context_.skipped_names.contains(name)) return;
+  if (const Entity* entity = context_.Lookup(name)) {
     if (!entity->invalid) {
-      AddNote(reporter_.Report(Code::kMisuse, callee.range, name, DescribeEntity(*entity),
-                               MakeMessage("a GT command", "GT 指令")),
+      AddNote(context_.reporter.Report(Code::kMisuse, callee.range, name, DescribeEntity(*entity),
+                                       MakeMessage("a GT command", "GT 指令")),
               entity->range, MakeMessage("it is defined here", "其定义在此处"));
     }
     return;
   }
-  Diagnostic& diagnostic = reporter_.Report(Code::kNotACommand, callee.range, name);
-  if (catalogue_.Find(name) != nullptr) {
+  Diagnostic& diagnostic = context_.reporter.Report(Code::kNotACommand, callee.range, name);
+  if (context_.catalogue.Find(name) != nullptr) {
     AddNote(diagnostic, MakeMessage("the command exists, but only the host may call it",
                                     "该指令存在，但只能由主机调用"));
     return;
@@ -115,9 +115,9 @@ void Checker::ReportUnknownCall(const Expression& callee) {
                           ? MakeMessage("no GT command has this name", "没有这个名称的 GT 指令")
                           : MakeMessage("only GT commands, abs and fabs can be called",
                                         "只能调用 GT 指令、abs 和 fabs"));
-  if (!MaySuggest()) return;
+  if (!context_.MaySuggest()) return;
   Nearest nearest(name);
-  for (const gtcalls::Command& command : catalogue_.commands()) {
+  for (const gtcalls::Command& command : context_.catalogue.commands()) {
     if (command.in_motion_program) nearest.Add(command.name);
   }
   for (const std::string_view candidate : {"abs", "fabs"}) nearest.Add(candidate);
@@ -133,16 +133,16 @@ void Checker::CheckCall(const Expression& call) {
     CheckNames(call);
     return;
   }
-  const gtcalls::Command* command = catalogue_.Find(callee.text);
+  const gtcalls::Command* command = context_.catalogue.Find(callee.text);
   if (command != nullptr && command->in_motion_program) {
     CheckCommand(call, *command);
     return;
   }
-  if ((callee.text == "abs" || callee.text == "fabs") && Lookup(callee.text) == nullptr) {
+  if ((callee.text == "abs" || callee.text == "fabs") && context_.Lookup(callee.text) == nullptr) {
     CheckNames(call);
-    if (!failed_) {
-      lesson_.reset();
-      Fail(Code::kNoEffect, call.range);
+    if (!context_.statement.failed) {
+      context_.statement.lesson.reset();
+      context_.Fail(Code::kNoEffect, call.range);
     }
     return;
   }
@@ -156,8 +156,9 @@ void Checker::CheckCommand(const Expression& call, const gtcalls::Command& comma
     const Expression& extra = *call.operands[wanted + 1];
     SourceRange range = extra.range;
     range.end = call.operands.back()->range.end;
-    Diagnostic& diagnostic = Fail(Code::kTooManyParameters, range, command.name,
-                                  static_cast<int64_t>(wanted), static_cast<int64_t>(given));
+    Diagnostic& diagnostic =
+        context_.Fail(Code::kTooManyParameters, range, command.name, static_cast<int64_t>(wanted),
+                      static_cast<int64_t>(given));
     if (wanted > 0) range.begin = call.operands[wanted]->range.end;
     Replace(diagnostic, range, "");
   }
@@ -177,12 +178,13 @@ void Checker::CheckCommand(const Expression& call, const gtcalls::Command& comma
     ReportMissingArguments(call, command);
     return;
   }
-  if (good && !failed_ && !lesson_) Emit(std::move(instruction));
+  if (good && !context_.statement.failed && !context_.statement.lesson)
+    context_.Emit(std::move(instruction));
 }
 
 void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Command& command) {
   const size_t given = call.operands.size() - 1;
-  const bool good_so_far = !failed_ && !lesson_;
+  const bool good_so_far = !context_.statement.failed && !context_.statement.lesson;
   std::string names;
   bool can_write = true;
   for (size_t i = given; i < command.parameters.size(); ++i) {
@@ -196,9 +198,9 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
   }
   SourceRange close = call.range;
   close.begin = close.end - 1;
-  Diagnostic& diagnostic =
-      Fail(Code::kTooFewArguments, call.range, command.name,
-           static_cast<int64_t>(command.parameters.size()), static_cast<int64_t>(given), names);
+  Diagnostic& diagnostic = context_.Fail(Code::kTooFewArguments, call.range, command.name,
+                                         static_cast<int64_t>(command.parameters.size()),
+                                         static_cast<int64_t>(given), names);
   std::string prototype;
   for (const Parameter& parameter : command.parameters) {
     if (!prototype.empty()) prototype += ", ";
@@ -207,7 +209,7 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
   AddNote(diagnostic,
           MakeMessage("its parameters are {0}({1})", "其参数为 {0}({1})", command.name, prototype));
   if (!can_write || !good_so_far) return;
-  Rewriter rewriter(*this, diagnostic);
+  Rewriter rewriter(context_, diagnostic);
   std::string text;
   for (size_t i = given; i < command.parameters.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
@@ -234,18 +236,18 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
 void Checker::ReportFraction(const Expression& argument, const Literal& literal,
                              std::string_view parameter) {
   Diagnostic& diagnostic =
-      Fail(Code::kTypeMismatch, argument.range, DescribeType(DataType::kDouble),
-           DescribeType(DataType::kInt), MakeMessage("write a whole number", "请写整数"));
+      context_.Fail(Code::kTypeMismatch, argument.range, DescribeType(DataType::kDouble),
+                    DescribeType(DataType::kInt), MakeMessage("write a whole number", "请写整数"));
   const uint64_t one = uint64_t{1} << vm::kFractionBits;
   const uint64_t whole = literal.magnitude / one;
   if (literal.magnitude % one == 0 && whole <= INT32_MAX) {
     Replace(diagnostic, argument.range, fmt::format("{}{}", literal.negative ? "-" : "", whole));
     return;
   }
-  AddNote(diagnostic,
-          MakeMessage("'{0}' takes whole numbers; a cast would truncate {1} to {2}{3}",
-                      "'{0}' 需要整数；强制转换会把 {1} 截断为 {2}{3}", parameter,
-                      Source(argument.range), literal.negative && whole > 0 ? "-" : "", whole));
+  AddNote(diagnostic, MakeMessage("'{0}' takes whole numbers; a cast would truncate {1} to {2}{3}",
+                                  "'{0}' 需要整数；强制转换会把 {1} 截断为 {2}{3}", parameter,
+                                  context_.Source(argument.range),
+                                  literal.negative && whole > 0 ? "-" : "", whole));
 }
 
 bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
@@ -255,16 +257,18 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
   if (argument.kind == Expression::Kind::kUnary && argument.op == "&") {
     CheckNames(*argument.operands[0]);
     Diagnostic& diagnostic =
-        Fail(Code::kIllegalOperator, argument.op_range, argument.op,
-             MakeMessage("the parameter '{0}' of {1} takes a value", "{1} 的参数 '{0}' 需要数值",
-                         parameter.name, command.name));
+        context_.Fail(Code::kIllegalOperator, argument.op_range, argument.op,
+                      MakeMessage("the parameter '{0}' of {1} takes a value",
+                                  "{1} 的参数 '{0}' 需要数值", parameter.name, command.name));
     Replace(diagnostic, argument.op_range, "");
     return false;
   }
-  if (!IsLeaf(argument) && !ConstantOf(argument)) {
-    const bool failed_before = failed_;
+  if (!IsLeaf(argument) && !context_.ConstantOf(argument)) {
+    const bool failed_before = context_.statement.failed;
     CheckNames(argument);
-    if (failed_ == failed_before) Teach(Code::kNestedExpression, argument.range);
+    if (context_.statement.failed == failed_before) {
+      context_.Teach(Code::kNestedExpression, argument.range);
+    }
     return false;
   }
   std::optional<TypedOperand> operand = ResolveOperand(argument);
@@ -273,28 +277,29 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
     if (operand->literal) {
       ReportFraction(argument, *operand->literal, parameter.name);
     } else {
-      Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted),
-            ConvertAdvice());
+      context_.Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type),
+                     DescribeType(wanted), ConvertAdvice());
     }
     return false;
   }
   if (operand->literal && !operand->literal->invalid && wanted == DataType::kInt) {
     const int32_t value = *IntValue(*operand->literal);
     if (IsAxis(command, index) && (value < parameter.minimum || value > parameter.maximum)) {
-      Fail(Code::kAxisOutOfRange, argument.range, Source(argument.range), int64_t{value},
-           parameter.name, command.name, NumberText(parameter.minimum),
-           NumberText(parameter.maximum));
+      context_.Fail(Code::kAxisOutOfRange, argument.range, context_.Source(argument.range),
+                    int64_t{value}, parameter.name, command.name, NumberText(parameter.minimum),
+                    NumberText(parameter.maximum));
       return false;
     }
     const Limits limits = LimitsOf(parameter.type);
     const bool bits = operand->literal->as_bits && parameter.type == Scalar::kUnsignedLong;
     if (!bits && (value < limits.minimum || value > limits.maximum)) {
       const int32_t passed = Truncated(value, parameter.type);
-      reporter_.Report(Code::kLiteralTruncated, argument.range, Source(argument.range),
-                       parameter.name, gtcalls::SpellScalar(parameter.type),
-                       parameter.type == Scalar::kUnsignedLong
-                           ? static_cast<int64_t>(static_cast<uint32_t>(value))
-                           : int64_t{passed});
+      context_.reporter.Report(Code::kLiteralTruncated, argument.range,
+                               context_.Source(argument.range), parameter.name,
+                               gtcalls::SpellScalar(parameter.type),
+                               parameter.type == Scalar::kUnsignedLong
+                                   ? static_cast<int64_t>(static_cast<uint32_t>(value))
+                                   : int64_t{passed});
       operand->operand = vm::ImmediateInt(passed);
     }
   }
@@ -317,32 +322,32 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     const SourceRange cast = {argument.range.file, argument.range.begin,
                               argument.operands[0]->range.begin};
     CheckNames(*argument.operands[0]->operands[0]);
-    Replace(Fail(Code::kIllegalOperator, argument.range, Trim(Source(cast)),
-                 MakeMessage("addresses cannot be cast", "地址须原样传递")),
+    Replace(context_.Fail(Code::kIllegalOperator, argument.range, Trim(context_.Source(cast)),
+                          MakeMessage("addresses cannot be cast", "地址须原样传递")),
             cast, "");
     return false;
   }
   const bool has_ampersand = argument.kind == Expression::Kind::kUnary && argument.op == "&";
   const Expression& variable = has_ampersand ? *argument.operands[0] : argument;
-  const bool addressable =
-      variable.kind != Expression::Kind::kLiteral && IsLeaf(variable) && !ConstantOf(variable);
+  const bool addressable = variable.kind != Expression::Kind::kLiteral && IsLeaf(variable) &&
+                           !context_.ConstantOf(variable);
   if (!addressable || !has_ampersand) {
     if (!IsLeaf(variable)) CheckNames(variable);
-    if (failed_) return false;
+    if (context_.statement.failed) return false;
     const Entity* entity =
-        variable.kind == Expression::Kind::kName ? Lookup(variable.text) : nullptr;
+        variable.kind == Expression::Kind::kName ? context_.Lookup(variable.text) : nullptr;
     if (entity != nullptr && entity->invalid) {
-      failed_ = true;
+      context_.statement.failed = true;
       return false;
     }
     if (addressable && variable.kind == Expression::Kind::kName && entity == nullptr &&
-        catalogue_.FindConstant(variable.text) == nullptr && variable.text != "NULL") {
+        context_.catalogue.FindConstant(variable.text) == nullptr && variable.text != "NULL") {
       ResolveName(variable);
       return false;
     }
-    lesson_.reset();
+    context_.statement.lesson.reset();
     Diagnostic& diagnostic =
-        Fail(Code::kNotAnAddress, argument.range, parameter.name, command.name, wanted);
+        context_.Fail(Code::kNotAnAddress, argument.range, parameter.name, command.name, wanted);
     if (parameter.nullable && !addressable) {
       AddNote(diagnostic, MakeMessage("a motion program cannot omit it; pass a variable",
                                       "运动程序不能省略该参数；请给出变量"));
@@ -357,7 +362,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
   }
 
   CheckWritable(variable);
-  if (failed_) return false;
+  if (context_.statement.failed) return false;
 
   // Structures are passed as a whole: as a variable of that type or, if programs cannot declare the
   // type, as the corresponding number of ints in an array.
@@ -379,18 +384,18 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     }
     if (parameter.structure->in_motion_program || !all_int ||
         (entity != nullptr && entity->structure != nullptr)) {
-      Message found = ToMessage(fmt::format("'{}'", Source(variable.range)));
+      Message found = ToMessage(fmt::format("'{}'", context_.Source(variable.range)));
       if (entity != nullptr) found = DescribeEntity(*entity);
-      Fail(Code::kTypeMismatch, argument.range, found, wanted,
-           StructureAdvice(*parameter.structure));
+      context_.Fail(Code::kTypeMismatch, argument.range, found, wanted,
+                    StructureAdvice(*parameter.structure));
       return false;
     }
   } else if (variable.kind == Expression::Kind::kName) {
     const Entity* entity = ResolveName(variable);
     if (entity == nullptr) return false;
     if (entity->structure != nullptr) {
-      Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted,
-           MakeMessage("pass a variable of that type", "请传入该类型的变量"));
+      context_.Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted,
+                    MakeMessage("pass a variable of that type", "请传入该类型的变量"));
       return false;
     }
   }
@@ -402,7 +407,8 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     const Message found = operand->type == DataType::kDouble
                               ? MakeMessage("a double variable", "double 变量")
                               : MakeMessage("an int variable", "int 变量");
-    Fail(Code::kTypeMismatch, argument.range, found, wanted, AddressAdvice(variable, type));
+    context_.Fail(Code::kTypeMismatch, argument.range, found, wanted,
+                  AddressAdvice(variable, type));
     return false;
   }
 
@@ -410,20 +416,20 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
   int64_t count = 1;
   const size_t count_index = static_cast<size_t>(parameter.count_parameter);
   if (parameter.count_parameter >= 0 && count_index + 1 < call.operands.size()) {
-    const std::optional<Literal> literal = ConstantOf(*call.operands[count_index + 1]);
+    const std::optional<Literal> literal = context_.ConstantOf(*call.operands[count_index + 1]);
     const std::optional<int32_t> value = literal ? IntValue(*literal) : std::nullopt;
     if (value && !literal->invalid) count = *value;
   }
   if (const vm::Variable* first = std::get_if<vm::Variable>(&operand->operand)) {
     int64_t available = 1;
     if (variable.kind == Expression::Kind::kIndex) {
-      const Entity* array = Lookup(variable.operands[0]->text);
+      const Entity* array = context_.Lookup(variable.operands[0]->text);
       available = array->id + array->array_size - first->id;
     }
     const int64_t needed = std::max<int64_t>(1, count) * static_cast<int64_t>(slots);
     if (needed > available) {
-      Fail(Code::kOutputTooSmall, argument.range, parameter.name, command.name, needed,
-           ToMessage(fmt::format("'{}'", Source(argument.range))), available);
+      context_.Fail(Code::kOutputTooSmall, argument.range, parameter.name, command.name, needed,
+                    ToMessage(fmt::format("'{}'", context_.Source(argument.range))), available);
       return false;
     }
   }

@@ -14,30 +14,10 @@
 #include <unordered_set>
 #include <vector>
 
-#include "compiler/compiler.h"
-#include "compiler/constant_folding.h"
-#include "compiler/flow_warnings.h"
+#include "compiler/check_context.h"
 #include "compiler/name_scopes.h"
-#include "compiler/reporter.h"
-#include "compiler/symbols.h"
-#include "compiler/syntax.h"
-#include "compiler/tree_walk.h"
 
 namespace oncard::compiler {
-
-/// The context of a statement that matters for rewriting it.
-struct Place {
-  /// The statement is the body of an `if` or a loop without braces, so that several statements need
-  /// braces.
-  bool single = false;
-  /// A statement follows it, so that a label may end its rewriting.
-  bool followed = true;
-  /// Inside a loop or switch, which handles `break` and `continue`.
-  bool in_loop = false;
-  bool in_switch = false;
-  /// At the top level of a function's body.
-  bool top = true;
-};
 
 /// A value that a statement can use directly.
 struct TypedOperand {
@@ -61,82 +41,19 @@ class Checker {
  public:
   /// The files and the tree must outlive the checker.
   Checker(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
-          const std::vector<Token>& tokens);
+          const std::vector<Token>& tokens)
+      : context_(options, files, reporter, tokens) {}
 
   /// Suppresses diagnostics about these names: they were lost in errors that have been reported.
   void AddSkippedNames(const std::unordered_set<std::string_view>& names);
   /// Checks everything. The object is valid only if no error was reported.
   vm::Object Check(const Tree& tree);
   /// The source positions of the statements of the object's functions.
-  const std::vector<FunctionPlaces>& places() const { return places_; }
+  const std::vector<FunctionPlaces>& places() const { return context_.places; }
 
  private:
-  friend class Rewriter;
-
-  struct Label {
-    SourceRange range;
-    int instruction = 0;
-    bool defined = true;
-  };
-  struct Jump {
-    size_t instruction;
-    std::string_view label;
-    SourceRange range;
-  };
-  struct Goto {
-    std::string_view label;
-    SourceRange range;
-  };
-  // A block of C, or a `for` with its counters. Names declared in it end with it.
-  struct Block {
-    const Statement* statement = nullptr;  ///< nullptr: the body of the function
-    struct Name {
-      std::string_view name;
-      std::optional<size_t> outer;  ///< the block that declares it too
-    };
-    std::vector<Name> names;
-  };
   // What a new name means for others.
   enum class NameUse : uint8_t { kFree, kHidesAnother, kTaken };
-  // For the variables at the top of a function.
-  struct InitialValues {
-    std::vector<const Declarator*> list;
-    bool good = true;
-    Diagnostic* bearer = nullptr;  // of the edits
-  };
-  // The function being translated.
-  struct FunctionState {
-    const Function* syntax = nullptr;
-    vm::Function out;
-    FunctionPlaces places;
-    bool is_void = false;
-    Scope locals;
-    uint16_t slots = 0;
-    std::unordered_map<std::string_view, Label> labels;
-    std::vector<std::string_view> label_names;
-    std::vector<Jump> jumps;
-    std::unordered_set<std::string_view> undeclared;
-    /// Where the rewriting of a statement may add declarations and first statements.
-    SourceRange declarations_end;
-    SourceRange statements_begin;
-    bool statements_begun = false;
-    std::vector<Block> blocks;                                // those that are open
-    std::unordered_map<std::string_view, size_t> open_names;  // and the block that declares each
-    std::vector<Goto> gotos;
-    std::unordered_map<std::string_view, int> declarations;  // how often a name is declared
-    std::optional<NameTable> uses;                           // built at the first use
-    InitialValues initial_values;
-    bool too_long = false;
-    bool too_many_slots = false;
-    bool too_many_labels = false;
-  };
-  // A construct to be rewritten, found while a statement was checked.
-  struct Lesson {
-    Code code;
-    SourceRange range;
-    std::vector<Message> arguments;
-  };
-
   // --- declarations.cc ---
   void CheckFunction(const Function& syntax);
   void CheckParameters(const Function& syntax);
@@ -182,9 +99,7 @@ class Checker {
                                 SourceRange value);
   void Rename(const Declarator& declarator, Diagnostic& diagnostic);
   const std::vector<StatementPtr>& ScopeOfNames() const;
-  NameUses UsesInFunction(std::string_view name);
   NameUses UsesHere(std::string_view name);
-  std::optional<Constant> FoldHere(const Expression& expression) const;
 
   // --- statements.cc ---
   void CheckItem(const Statement& statement);
@@ -198,8 +113,7 @@ class Checker {
   void OpenBlock(const Statement* statement);
   void CloseBlock();
   void CheckLoop(const Statement& statement, const Place& place);
-  const Goto* JumpInto(const Statement& loop) const;
-  bool NeedsBraces(const Statement& block) const;
+  const FunctionState::Goto* JumpInto(const Statement& loop) const;
   void CheckCases(const Statement& statement);
   void CheckSwitch(const Statement& statement, const Place& place);
   void CheckReturn(const Statement& statement, vm::Operand condition);
@@ -207,29 +121,11 @@ class Checker {
   void CheckLabel(const Statement& statement, bool has_statement);
   void CheckCondition(const Expression& condition, vm::Operand* operand);
   void ResolveJumps();
-  void Emit(vm::Instruction instruction);
 
-  // Diagnostics of statements: each statement is examined for all mistakes, and reports at most
-  // one.
   void BeginStatement(const Statement& statement);
   void EndStatement(const Statement& statement, const Place& place);
-  template <typename... Args>
-  void Teach(Code code, SourceRange range, const Args&... args) {
-    // A nested expression is reported only if there is nothing more specific to report.
-    if (!lesson_ || lesson_->code == Code::kNestedExpression) {
-      if (lesson_ && code == Code::kNestedExpression) return;
-      lesson_ = Lesson{code, range, {ToMessage(args)...}};
-    }
-  }
-  /// Reports an error that no rewriting can correct.
-  template <typename... Args>
-  Diagnostic& Fail(Code code, SourceRange range, const Args&... args) {
-    failed_ = true;
-    return reporter_.Report(code, range, args...);
-  }
 
   // --- expressions.cc ---
-  const Entity* Lookup(std::string_view name) const;
   const Entity* ResolveName(const Expression& expression);
   std::optional<TypedOperand> ResolveOperand(const Expression& expression);
   std::optional<TypedOperand> ResolveIndex(const Expression& expression);
@@ -253,10 +149,7 @@ class Checker {
   bool Adapt(TypedOperand& operand, vm::DataType type);
   std::optional<TypedOperand> LiteralOperand(const Literal& literal, SourceRange range);
   void ReportUndeclared(const Expression& expression);
-  /// Limit of searches for similar names, because they take time.
-  bool MaySuggest() { return suggestions_++ < kSuggestionMax; }
   static bool IsLeaf(const Expression& expression);
-  std::optional<Literal> ConstantOf(const Expression& expression) const;
 
   // --- calls.cc ---
   void CheckCall(const Expression& call);
@@ -270,41 +163,11 @@ class Checker {
                       std::string_view parameter);
   void ReportUnknownCall(const Expression& callee);
 
-  std::string_view Source(SourceRange range) const;
-  int LineOf(SourceRange range) const;
-
-  const Options& options_;
-  const gtcalls::Catalogue& catalogue_;
-  const std::deque<SourceFile>& files_;
-  Reporter& reporter_;
-  vm::Object object_;
-  std::vector<FunctionPlaces> places_;
-  Scope globals_;  // with macros and functions
+  CheckContext context_;
   uint16_t global_slots_ = 0;
   bool too_many_globals_ = false;
   size_t function_count_ = 0;
-  std::unordered_map<std::string_view, SourceRange> function_names_;  // of the whole program
-  std::unordered_set<std::string_view> skipped_names_;
   std::unordered_set<std::string_view> undeclared_macros_;
-  static constexpr int kSuggestionMax = 100;
-  int suggestions_ = 0;
-  FreshNames fresh_;
-  SourceRange first_item_;  // where #define lines can go
-  FunctionState* function_ = nullptr;
-  const Tree* tree_ = nullptr;
-
-  // Of the statement being checked.
-  std::optional<Lesson> lesson_;
-  bool failed_ = false;
-  bool broken_ = false;  // part of it is missing from the tree: no advice
-  uint16_t line_ = 0;
-  SourceRange statement_range_;
-  bool uses_flat_array_ = false;  // a multi-dimensional array, whose declaration corrects its uses
-  struct FlatArray {
-    Diagnostic* report = nullptr;  ///< of the declaration, with the edits of all uses
-    bool good = true;              ///< no incorrect use
-  };
-  std::unordered_map<std::string_view, FlatArray> flat_arrays_;
   std::unordered_set<const Expression*> flattened_;
   std::optional<NameTable> program_uses_;
   std::optional<NameScopes> scopes_;  // built at the first use

@@ -18,7 +18,7 @@ bool IsWordOf(std::string_view word, std::initializer_list<std::string_view> wor
 
 Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
   DeclaredType type;
-  type.words = Source(specifiers.range);
+  type.words = context_.Source(specifiers.range);
   std::string spelled;
   bool foreign = specifiers.words.size() > 1;
   bool is_double = false;
@@ -33,13 +33,13 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
     }
     if (IsWordOf(word->text, {"int", "long", "short", "double", "void"})) known = true;
     if (word->text == "void") type.is_void = true;
-    const gtcalls::Structure* structure = catalogue_.FindStructure(word->text);
+    const gtcalls::Structure* structure = context_.catalogue.FindStructure(word->text);
     if (structure != nullptr && structure->in_motion_program) type.structure = structure;
   }
   if (!known && type.structure == nullptr) {
-    const bool skipped = skipped_names_.contains(spelled);
+    const bool skipped = context_.skipped_names.contains(spelled);
     if (!skipped) {
-      Diagnostic& diagnostic = reporter_.Report(
+      Diagnostic& diagnostic = context_.reporter.Report(
           Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
           std::string_view("int, double, long, short, TTrapPrm, TJogPrm, TPid"));
       Nearest nearest(spelled);
@@ -70,10 +70,11 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
       type.is_static = type.is_static || is_static;
       if (is_const || is_static) storage = word;
     }
-    type.report = storage != nullptr
-                      ? &reporter_.Report(Code::kReservedWord, storage->range, storage->text,
-                                          MakeMessage("leave it out", "请去掉它"))
-                      : &reporter_.Report(Code::kForeignType, specifiers.range, spelled, plain);
+    type.report =
+        storage != nullptr
+            ? &context_.reporter.Report(Code::kReservedWord, storage->range, storage->text,
+                                        MakeMessage("leave it out", "请去掉它"))
+            : &context_.reporter.Report(Code::kForeignType, specifiers.range, spelled, plain);
     type.plain = plain;
   }
   return type;
@@ -84,33 +85,34 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
 Checker::NameUse Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
                                           const Declarator* declarator) {
   const Entity* same = nullptr;
-  if (local && function_ != nullptr) same = function_->locals.Find(name);
-  const Entity* global = globals_.Find(name);
+  if (local && context_.function != nullptr) same = context_.function->locals.Find(name);
+  const Entity* global = context_.globals.Find(name);
   if (same == nullptr && !local) same = global;
   if (same != nullptr && local) {
-    const auto open = function_->open_names.find(name);
-    if (open == function_->open_names.end() || open->second + 1 < function_->blocks.size()) {
-      Diagnostic& diagnostic =
-          reporter_.Report(Code::kShadowing, range, name,
-                           MakeMessage("another variable of the function", "函数中另一个变量"));
+    const auto open = context_.function->open_names.find(name);
+    if (open == context_.function->open_names.end() ||
+        open->second + 1 < context_.function->blocks.size()) {
+      Diagnostic& diagnostic = context_.reporter.Report(
+          Code::kShadowing, range, name,
+          MakeMessage("another variable of the function", "函数中另一个变量"));
       AddNote(diagnostic, same->range, MakeMessage("it is defined here", "其定义在此处"));
       if (declarator != nullptr) Rename(*declarator, diagnostic);
       return NameUse::kHidesAnother;
     }
   }
   if (same != nullptr) {
-    AddNote(reporter_.Report(Code::kRedefinition, range, name), same->range,
+    AddNote(context_.reporter.Report(Code::kRedefinition, range, name), same->range,
             MakeMessage("the first definition is here", "首次定义在此处"));
     return NameUse::kTaken;
   }
-  if (catalogue_.Find(name) != nullptr) {
-    AddNote(reporter_.Report(Code::kRedefinition, range, name),
+  if (context_.catalogue.Find(name) != nullptr) {
+    AddNote(context_.reporter.Report(Code::kRedefinition, range, name),
             MakeMessage("'{0}' is a GT command", "'{0}' 是 GT 指令", name));
     return NameUse::kTaken;
   }
   if (local && global != nullptr) {
     const bool variable = global->kind == Entity::Kind::kVariable;
-    Diagnostic& diagnostic = reporter_.Report(
+    Diagnostic& diagnostic = context_.reporter.Report(
         Code::kShadowing, range, name,
         variable ? MakeMessage("a global variable", "全局变量") : DescribeEntity(*global));
     AddNote(diagnostic, global->range, MakeMessage("it is defined here", "其定义在此处"));
@@ -137,7 +139,7 @@ void Checker::DefineMacro(const Macro& macro) {
     Adapt(operand, macro.value.kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt);
     entity.value.invalid = operand.literal->invalid;
   }
-  globals_.Add(entity);
+  context_.globals.Add(entity);
 }
 
 bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
@@ -146,10 +148,10 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
     Message what = MakeMessage("missing", "空");
     SourceRange range = declarator.name_range;
     if (size != nullptr) {
-      what = ToMessage(fmt::format("'{}'", Source(size->range)));
+      what = ToMessage(fmt::format("'{}'", context_.Source(size->range)));
       range = size->range;
       if (size->kind == Expression::Kind::kError) return false;
-      if (const std::optional<Literal> constant = ConstantOf(*size)) {
+      if (const std::optional<Literal> constant = context_.ConstantOf(*size)) {
         if (constant->invalid) return false;
         const std::optional<int32_t> value = IntValue(*constant);
         if (value && *value >= 1 && *value <= vm::kSlotCount) {
@@ -158,15 +160,15 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
           if (total <= vm::kSlotCount) continue;
           what = ToMessage(total);
         }
-      } else if (size->kind == Expression::Kind::kName && Lookup(size->text) == nullptr) {
+      } else if (size->kind == Expression::Kind::kName && context_.Lookup(size->text) == nullptr) {
         ReportUndeclared(*size);
         return false;
       }
     }
-    Diagnostic& diagnostic =
-        reporter_.Report(Code::kArraySize, range, declarator.name, what, int64_t{vm::kSlotCount});
-    const std::optional<Constant> value = size != nullptr ? FoldHere(*size) : std::nullopt;
-    if (value && !value->is_double && !ConstantOf(*size) && value->integer >= 1 &&
+    Diagnostic& diagnostic = context_.reporter.Report(Code::kArraySize, range, declarator.name,
+                                                      what, int64_t{vm::kSlotCount});
+    const std::optional<Constant> value = size != nullptr ? context_.FoldHere(*size) : std::nullopt;
+    if (value && !value->is_double && !context_.ConstantOf(*size) && value->integer >= 1 &&
         value->integer <= vm::kSlotCount) {
       Replace(diagnostic, range, value->Text());
     }
@@ -187,11 +189,11 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
     SourceRange sizes = declarator.head;
     sizes.begin = declarator.name_range.end;
     Diagnostic& diagnostic =
-        reporter_.Report(Code::kMultiDimensional, sizes, declarator.name, product);
+        context_.reporter.Report(Code::kMultiDimensional, sizes, declarator.name, product);
     Replace(diagnostic, sizes, fmt::format("[{}]", total));
-    flat_arrays_[declarator.name] = {&diagnostic, true};
+    context_.flat_arrays[declarator.name] = {&diagnostic, true};
   } else {
-    flat_arrays_.erase(declarator.name);
+    context_.flat_arrays.erase(declarator.name);
   }
   entity.array_size = static_cast<uint16_t>(total);
   return true;
@@ -201,15 +203,15 @@ bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
   const int64_t needed = entity.structure != nullptr
                              ? static_cast<int64_t>(entity.structure->members.size())
                              : std::max<int64_t>(1, entity.array_size);
-  const bool local = function_ != nullptr;
-  uint16_t& used = local ? function_->slots : global_slots_;
-  bool& reported = local ? function_->too_many_slots : too_many_globals_;
+  const bool local = context_.function != nullptr;
+  uint16_t& used = local ? context_.function->slots : global_slots_;
+  bool& reported = local ? context_.function->too_many_slots : too_many_globals_;
   if (used + needed > vm::kSlotCount) {
     // One report is enough: all that follow would exceed the limit too.
     if (!reported) {
-      reporter_.Report(local ? Code::kTooManyLocals : Code::kTooManyGlobals, declarator.name_range,
-                       declarator.name, needed, int64_t{vm::kSlotCount - used},
-                       int64_t{vm::kSlotCount});
+      context_.reporter.Report(local ? Code::kTooManyLocals : Code::kTooManyGlobals,
+                               declarator.name_range, declarator.name, needed,
+                               int64_t{vm::kSlotCount - used}, int64_t{vm::kSlotCount});
     }
     reported = true;
     return false;
@@ -221,7 +223,7 @@ bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
 
 void Checker::AddSymbols(const Entity& entity) {
   std::vector<vm::Symbol>& symbols =
-      function_ != nullptr ? function_->out.variables : object_.globals;
+      context_.function != nullptr ? context_.function->out.variables : context_.object.globals;
   if (entity.structure == nullptr) {
     symbols.push_back({std::string(entity.name), entity.id, entity.type, entity.array_size});
     return;
@@ -234,7 +236,7 @@ void Checker::AddSymbols(const Entity& entity) {
 }
 
 Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type, bool parameter) {
-  const bool local = function_ != nullptr;
+  const bool local = context_.function != nullptr;
   Entity entity;
   entity.name = declarator.name;
   entity.range = declarator.name_range;
@@ -244,14 +246,14 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   entity.invalid = !type.valid;
   entity.is_const = type.is_const;
   entity.words = type.words;
-  entity.late = local && function_->statements_begun;
-  Scope& scope = local ? function_->locals : globals_;
+  entity.late = local && context_.function->statements_begun;
+  Scope& scope = local ? context_.function->locals : context_.globals;
   const NameUse use = ReportTakenName(declarator.name, declarator.name_range, local,
                                       parameter ? nullptr : &declarator);
   if (use == NameUse::kTaken && scope.Find(declarator.name) != nullptr) return nullptr;
   entity.hides = use == NameUse::kHidesAnother;
   if (declarator.pointer) {
-    reporter_.Report(Code::kPointer, declarator.name_range, declarator.name);
+    context_.reporter.Report(Code::kPointer, declarator.name_range, declarator.name);
     entity.invalid = true;
   }
   if (!declarator.sizes.empty() && !parameter) {
@@ -259,10 +261,10 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
     if (entity.structure != nullptr) {
       SourceRange sizes = declarator.head;
       sizes.begin = declarator.name_range.end;
-      Replace(reporter_.Report(Code::kArraySize, sizes, declarator.name,
-                               MakeMessage("given, but there are no arrays of structures",
-                                           "多余的（不支持结构数组）"),
-                               int64_t{vm::kSlotCount}),
+      Replace(context_.reporter.Report(Code::kArraySize, sizes, declarator.name,
+                                       MakeMessage("given, but there are no arrays of structures",
+                                                   "多余的（不支持结构数组）"),
+                                       int64_t{vm::kSlotCount}),
               sizes, "");
       entity.invalid = true;
     }
@@ -274,14 +276,14 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
 }
 
 void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
-  if (function_ != nullptr && function_->statements_begun) {
+  if (context_.function != nullptr && context_.function->statements_begun) {
     CheckLateDeclaration(statement, place);
     return;
   }
   DeclaredType type = ResolveType(statement.specifiers);
   if (type.is_void) {
-    reporter_.Report(Code::kNotAType, statement.specifiers.range, std::string_view("'void'"),
-                     std::string_view("int, double"));
+    context_.reporter.Report(Code::kNotAType, statement.specifiers.range,
+                             std::string_view("'void'"), std::string_view("int, double"));
     type.valid = false;
   }
   const bool as_macros =
@@ -298,20 +300,20 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
   SourceRange value = declarator.range;
   value.begin = declarator.head.end;
   const bool usable = entity != nullptr && !entity->invalid;
-  failed_ = false;
-  lesson_.reset();
+  context_.statement.failed = false;
+  context_.statement.lesson.reset();
   if (declarator.initialiser->kind == Expression::Kind::kBraces) {
     for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
   } else {
     CheckNames(*declarator.initialiser);
   }
-  const bool failed = failed_;
-  Diagnostic& diagnostic = reporter_.Report(Code::kInitialiser, value, declarator.name);
-  if (function_ == nullptr) {
+  const bool failed = context_.statement.failed;
+  Diagnostic& diagnostic = context_.reporter.Report(Code::kInitialiser, value, declarator.name);
+  if (context_.function == nullptr) {
     if (usable && !failed) CorrectGlobalInitialiser(declarator, diagnostic, value);
     return;
   }
-  InitialValues& values = function_->initial_values;
+  FunctionState::InitialValues& values = context_.function->initial_values;
   // The type's own errors are corrected first.
   if (!usable || failed || entity->hides || type.is_static || type.is_const) values.good = false;
   if (values.bearer == nullptr) values.bearer = &diagnostic;
@@ -321,9 +323,9 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
 // One fix-it moves all initial values of a function to its first statement, because each may depend
 // on the previous ones.
 void Checker::CorrectInitialValues() {
-  const InitialValues& values = function_->initial_values;
+  const FunctionState::InitialValues& values = context_.function->initial_values;
   if (values.bearer == nullptr || !values.good) return;
-  Rewriter rewriter(*this, *values.bearer);
+  Rewriter rewriter(context_, *values.bearer);
   if (!rewriter.InitialiseFirst(values.list)) return;
   for (const Declarator* declarator : values.list) {
     SourceRange value = declarator->range;
@@ -334,10 +336,10 @@ void Checker::CorrectInitialValues() {
 }
 
 void Checker::OpenName(std::string_view name) {
-  const size_t block = function_->blocks.size() - 1;
-  const auto [open, added] = function_->open_names.emplace(name, block);
+  const size_t block = context_.function->blocks.size() - 1;
+  const auto [open, added] = context_.function->open_names.emplace(name, block);
   if (!added && open->second == block) return;
-  function_->blocks.back().names.push_back(
+  context_.function->blocks.back().names.push_back(
       {name, added ? std::nullopt : std::optional<size_t>(open->second)});
   open->second = block;
 }
@@ -345,8 +347,8 @@ void Checker::OpenName(std::string_view name) {
 // Loops often declare the same counter again: one declaration at the top is enough for all of them,
 // unless they are nested.
 const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& type) {
-  const Entity* known = function_->locals.Find(declarator.name);
-  const bool again = known != nullptr && !function_->open_names.contains(declarator.name) &&
+  const Entity* known = context_.function->locals.Find(declarator.name);
+  const bool again = known != nullptr && !context_.function->open_names.contains(declarator.name) &&
                      !known->invalid && !known->hides && known->structure == nullptr &&
                      known->array_size == 0 && declarator.sizes.empty() &&
                      known->words == type.words && type.structure == nullptr && !type.is_const;
@@ -365,11 +367,11 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
     const Entity* known = Reopen(declarator, type);
     const Entity* entity = known != nullptr ? known : Declare(declarator, type, false);
     if (entity != nullptr && !entity->invalid && entity->late) {
-      declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
+      declarations.push_back(fmt::format("{} {};", type.words, context_.Source(declarator.head)));
     }
     if (entity == nullptr || entity->invalid || entity->hides) all_good = false;
   }
-  failed_ = false;
+  context_.statement.failed = false;
   for (const Declarator& declarator : statement.declarators) {
     if (declarator.initialiser == nullptr) continue;
     initialised.push_back(&declarator);
@@ -379,12 +381,12 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
       CheckNames(*declarator.initialiser);
     }
   }
-  lesson_.reset();
-  if (failed_) all_good = false;
-  Diagnostic& diagnostic =
-      reporter_.Report(Code::kLateDeclaration, statement.range, statement.declarators[0].name);
+  context_.statement.lesson.reset();
+  if (context_.statement.failed) all_good = false;
+  Diagnostic& diagnostic = context_.reporter.Report(Code::kLateDeclaration, statement.range,
+                                                    statement.declarators[0].name);
   if (!all_good) return;
-  Rewriter rewriter(*this, diagnostic);
+  Rewriter rewriter(context_, diagnostic);
   for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
   rewriter.ReplaceDeclaration(statement, initialised, place);
 }
@@ -398,17 +400,17 @@ void Checker::CheckParameters(const Function& syntax) {
     return;
   }
   if (parameters.size() > vm::kParameterMax) {
-    reporter_.Report(Code::kTooManyParameters, parameters[vm::kParameterMax].range,
-                     MakeMessage("the function '{0}'", "函数 '{0}'", syntax.name),
-                     int64_t{vm::kParameterMax}, static_cast<int64_t>(parameters.size()));
+    context_.reporter.Report(Code::kTooManyParameters, parameters[vm::kParameterMax].range,
+                             MakeMessage("the function '{0}'", "函数 '{0}'", syntax.name),
+                             int64_t{vm::kParameterMax}, static_cast<int64_t>(parameters.size()));
   }
   for (const ParameterDeclaration& parameter : parameters) {
     DeclaredType type;
     if (parameter.specifiers.words.empty()) {
       Diagnostic& diagnostic =
-          reporter_.Report(Code::kNotAType, parameter.range,
-                           ToMessage(fmt::format("'{}'", parameter.declarator.name)),
-                           std::string_view("int, double, long, short"));
+          context_.reporter.Report(Code::kNotAType, parameter.range,
+                                   ToMessage(fmt::format("'{}'", parameter.declarator.name)),
+                                   std::string_view("int, double, long, short"));
       InsertBefore(diagnostic, parameter.range, "int ");
     } else {
       type = ResolveType(parameter.specifiers);
@@ -416,21 +418,22 @@ void Checker::CheckParameters(const Function& syntax) {
       CorrectType(parameter.specifiers, type, {&parameter.declarator, 1}, parameter.range);
     }
     if (type.is_void || type.structure != nullptr) {
-      reporter_.Report(Code::kBadParameter, parameter.range,
-                       ToMessage(fmt::format("'{}'", Source(parameter.range))));
+      context_.reporter.Report(Code::kBadParameter, parameter.range,
+                               ToMessage(fmt::format("'{}'", context_.Source(parameter.range))));
       type.valid = false;
     } else if (parameter.declarator.name.empty()) {
       if (type.valid) {
         SourceRange end = parameter.range;
         end.begin = end.end;
-        reporter_.Report(Code::kExpectedName, end,
-                         MakeMessage("a parameter without a name", "没有名称的参数"));
+        context_.reporter.Report(Code::kExpectedName, end,
+                                 MakeMessage("a parameter without a name", "没有名称的参数"));
       }
       continue;
     }
     if (!parameter.declarator.sizes.empty()) {
-      reporter_.Report(Code::kBadParameter, parameter.range,
-                       MakeMessage("the array '{0}'", "数组 '{0}'", parameter.declarator.name));
+      context_.reporter.Report(
+          Code::kBadParameter, parameter.range,
+          MakeMessage("the array '{0}'", "数组 '{0}'", parameter.declarator.name));
       type.valid = false;
     }
     if (!parameter.declarator.name.empty()) Declare(parameter.declarator, type, true);
@@ -438,22 +441,23 @@ void Checker::CheckParameters(const Function& syntax) {
 }
 
 void Checker::CheckFunction(const Function& syntax) {
-  FunctionState* const outer = function_;
-  function_ = nullptr;
+  FunctionState* const outer = context_.function;
+  context_.function = nullptr;
   const DeclaredType type = ResolveType(syntax.specifiers);
   if (KeepsReturns(syntax, type)) CorrectType(syntax.specifiers, type, {}, syntax.header);
   if (type.structure != nullptr || syntax.pointer) {
-    reporter_.Report(Code::kNotAType, syntax.specifiers.range,
-                     ToMessage(fmt::format("'{}{}'", Source(syntax.specifiers.range),
-                                           syntax.pointer ? "*" : "")),
-                     std::string_view("int, double, void"));
+    context_.reporter.Report(
+        Code::kNotAType, syntax.specifiers.range,
+        ToMessage(fmt::format("'{}{}'", context_.Source(syntax.specifiers.range),
+                              syntax.pointer ? "*" : "")),
+        std::string_view("int, double, void"));
   }
   if (syntax.prototype) {
     SourceRange semicolon = syntax.close_brace;
-    AddNote(reporter_.Report(Code::kMissingOpenBrace, semicolon, std::string_view("';'")),
+    AddNote(context_.reporter.Report(Code::kMissingOpenBrace, semicolon, std::string_view("';'")),
             MakeMessage("functions are not called, so they need no declaration",
                         "函数不会被调用，因此不需要提前声明"));
-    function_ = outer;
+    context_.function = outer;
     return;
   }
   if (ReportTakenName(syntax.name, syntax.name_range, false, nullptr) == NameUse::kFree) {
@@ -461,19 +465,19 @@ void Checker::CheckFunction(const Function& syntax) {
     entity.kind = Entity::Kind::kFunction;
     entity.name = syntax.name;
     entity.range = syntax.name_range;
-    globals_.Add(entity);
+    context_.globals.Add(entity);
   }
   ++function_count_;
   if (function_count_ == vm::kFunctionMax + 1) {
-    reporter_.Report(Code::kTooManyFunctions, syntax.name_range, syntax.name,
-                     int64_t{vm::kFunctionMax});
+    context_.reporter.Report(Code::kTooManyFunctions, syntax.name_range, syntax.name,
+                             int64_t{vm::kFunctionMax});
   }
 
   FunctionState state;
   state.syntax = &syntax;
   state.is_void = type.is_void;
   state.out.name = syntax.name;
-  state.out.file = files_[static_cast<size_t>(syntax.header.file)].IniName();
+  state.out.file = context_.files[static_cast<size_t>(syntax.header.file)].IniName();
   state.out.return_type = type.is_void ? DataType::kVoid : type.type;
   state.declarations_end = syntax.open_brace;
   state.declarations_end.begin = syntax.open_brace.end;
@@ -495,7 +499,7 @@ void Checker::CheckFunction(const Function& syntax) {
   for (const ParameterDeclaration& parameter : syntax.parameters) {
     ++state.declarations[parameter.declarator.name];
   }
-  function_ = &state;
+  context_.function = &state;
   OpenBlock(nullptr);
   CheckParameters(syntax);
   state.places.parameter_slots = state.slots;
@@ -511,9 +515,9 @@ void Checker::CheckFunction(const Function& syntax) {
   CheckBody(syntax.body, place);
   CorrectInitialValues();
   ResolveJumps();
-  function_ = outer;
-  object_.functions.push_back(std::move(state.out));
-  places_.push_back(std::move(state.places));
+  context_.function = outer;
+  context_.object.functions.push_back(std::move(state.out));
+  context_.places.push_back(std::move(state.places));
 }
 
 }  // namespace oncard::compiler

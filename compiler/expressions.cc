@@ -54,55 +54,29 @@ bool Checker::IsLeaf(const Expression& expression) {
   }
 }
 
-const Entity* Checker::Lookup(std::string_view name) const {
-  if (function_ != nullptr) {
-    if (const Entity* local = function_->locals.Find(name)) return local;
-  }
-  return globals_.Find(name);
-}
-
-// A constant may be negated once: `-1`, `-LIMIT`. The card's compiler computes nothing else.
-std::optional<Literal> Checker::ConstantOf(const Expression& expression) const {
-  if (expression.kind == Expression::Kind::kLiteral) return expression.literal;
-  if (expression.kind == Expression::Kind::kName) {
-    const Entity* entity = Lookup(expression.text);
-    if (entity != nullptr && entity->kind == Entity::Kind::kMacro) return entity->value;
-  }
-  if (expression.kind == Expression::Kind::kUnary && expression.op == "-") {
-    const Expression& inner = *expression.operands[0];
-    if (inner.kind != Expression::Kind::kLiteral && inner.kind != Expression::Kind::kName) {
-      return std::nullopt;
-    }
-    std::optional<Literal> literal = ConstantOf(inner);
-    if (literal) literal->negative = !literal->negative;
-    return literal;
-  }
-  return std::nullopt;
-}
-
 // A name that nobody declares is, in this order: a command without its parentheses, a constant of
 // gts.h, `true` or `false`, a name that is written wrongly, a macro that is missing. Each name is
 // reported once in a function.
 void Checker::ReportUndeclared(const Expression& expression) {
   const std::string_view name = expression.text;
-  failed_ = true;
-  if (skipped_names_.contains(name) || undeclared_macros_.contains(name)) return;
-  if (function_ != nullptr && !function_->undeclared.insert(name).second) return;
-  if (const gtcalls::Command* command = catalogue_.Find(name)) {
-    Diagnostic& diagnostic = reporter_.Report(
+  context_.statement.failed = true;
+  if (context_.skipped_names.contains(name) || undeclared_macros_.contains(name)) return;
+  if (context_.function != nullptr && !context_.function->undeclared.insert(name).second) return;
+  if (const gtcalls::Command* command = context_.catalogue.Find(name)) {
+    Diagnostic& diagnostic = context_.reporter.Report(
         Code::kMissingOpenParen, expression.range,
         MakeMessage("the command {0} without arguments", "没有参数的指令 {0}", name));
     if (command->parameters.empty()) InsertAfter(diagnostic, expression.range, "()");
     return;
   }
-  Diagnostic& diagnostic = reporter_.Report(Code::kUndeclared, expression.range, name);
-  if (const gtcalls::Constant* constant = catalogue_.FindConstant(name)) {
+  Diagnostic& diagnostic = context_.reporter.Report(Code::kUndeclared, expression.range, name);
+  if (const gtcalls::Constant* constant = context_.catalogue.FindConstant(name)) {
     undeclared_macros_.insert(name);
     const std::string line = fmt::format("#define {} {}", name, constant->value);
     AddNote(diagnostic,
             MakeMessage("the constants of gts.h are not known to motion programs; add '{0}'",
                         "运动程序不识别 gts.h 中的常量；请加上 '{0}'", line));
-    InsertBefore(diagnostic, first_item_, line + "\n");
+    InsertBefore(diagnostic, context_.first_item, line + "\n");
     return;
   }
   if (const std::optional<Literal> truth = TruthValue(name)) {
@@ -110,15 +84,15 @@ void Checker::ReportUndeclared(const Expression& expression) {
     const std::string line = fmt::format("#define {} {}", name, truth->magnitude);
     AddNote(diagnostic, MakeMessage("in C a header defines it: '{0}'; add this line",
                                     "C 语言的头文件中有 '{0}'；请加上", line));
-    InsertBefore(diagnostic, first_item_, line + "\n");
+    InsertBefore(diagnostic, context_.first_item, line + "\n");
     return;
   }
-  if (!MaySuggest()) return;
+  if (!context_.MaySuggest()) return;
   Nearest nearest(name);
-  if (function_ != nullptr) {
-    for (const Entity& entity : function_->locals.entities()) nearest.Add(entity.name);
+  if (context_.function != nullptr) {
+    for (const Entity& entity : context_.function->locals.entities()) nearest.Add(entity.name);
   }
-  for (const Entity& entity : globals_.entities()) {
+  for (const Entity& entity : context_.globals.entities()) {
     if (entity.kind != Entity::Kind::kFunction) nearest.Add(entity.name);
   }
   if (nearest.best().empty()) {
@@ -132,20 +106,20 @@ void Checker::ReportUndeclared(const Expression& expression) {
     }
     return;
   }
-  const Entity* entity = Lookup(nearest.best());
+  const Entity* entity = context_.Lookup(nearest.best());
   AddNote(diagnostic, entity->range,
           MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
   Replace(diagnostic, expression.range, std::string(nearest.best()));
 }
 
 const Entity* Checker::ResolveName(const Expression& expression) {
-  const Entity* entity = Lookup(expression.text);
+  const Entity* entity = context_.Lookup(expression.text);
   if (entity == nullptr) {
     ReportUndeclared(expression);
     return nullptr;
   }
   if (entity->invalid) {
-    failed_ = true;
+    context_.statement.failed = true;
     return nullptr;
   }
   return entity;
@@ -170,12 +144,12 @@ bool Checker::Adapt(TypedOperand& operand, DataType type) {
       raw = vm::ImmediateInt(*value).raw;
     }
   } else {
-    raw = FixedValue(*operand.literal, options_.double_format);
+    raw = FixedValue(*operand.literal, context_.options.double_format);
   }
   if (!raw) {
-    Fail(Code::kLiteralTooLarge, operand.range, Source(operand.range), DescribeType(type),
-         DescribeRange(type, options_.double_format, false),
-         DescribeRange(type, options_.double_format, true));
+    context_.Fail(Code::kLiteralTooLarge, operand.range, context_.Source(operand.range),
+                  DescribeType(type), DescribeRange(type, context_.options.double_format, false),
+                  DescribeRange(type, context_.options.double_format, true));
     operand.literal->invalid = true;
     raw = 0;
   }
@@ -185,7 +159,7 @@ bool Checker::Adapt(TypedOperand& operand, DataType type) {
 }
 
 std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression) {
-  if (const std::optional<Literal> constant = ConstantOf(expression)) {
+  if (const std::optional<Literal> constant = context_.ConstantOf(expression)) {
     return LiteralOperand(*constant, expression.range);
   }
   switch (expression.kind) {
@@ -202,8 +176,8 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
   if (entity == nullptr) return std::nullopt;
   if (entity->kind == Entity::Kind::kFunction || entity->structure != nullptr) {
     Diagnostic& diagnostic =
-        Fail(Code::kMisuse, expression.range, expression.text, DescribeEntity(*entity),
-             MakeMessage("a variable or a number", "变量或数"));
+        context_.Fail(Code::kMisuse, expression.range, expression.text, DescribeEntity(*entity),
+                      MakeMessage("a variable or a number", "变量或数"));
     if (entity->structure != nullptr) {
       AddNote(diagnostic, MakeMessage("write a member, such as {0}.{1}", "请写成员，例如 {0}.{1}",
                                       expression.text, entity->structure->members[0].name));
@@ -211,8 +185,8 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
     return std::nullopt;
   }
   if (entity->array_size != 0) {
-    InsertAfter(Fail(Code::kArrayWithoutIndex, expression.range, expression.text), expression.range,
-                "[0]");
+    InsertAfter(context_.Fail(Code::kArrayWithoutIndex, expression.range, expression.text),
+                expression.range, "[0]");
     return std::nullopt;
   }
   TypedOperand operand;
@@ -224,17 +198,17 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
 
 // A constant index outside the array is an error, however the rest is rewritten.
 bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& index) {
-  const std::optional<Constant> value = FoldHere(index);
+  const std::optional<Constant> value = context_.FoldHere(index);
   if (!value || value->is_double || (value->integer >= 0 && value->integer < size)) return true;
-  AddNote(Fail(Code::kIndexOutOfBounds, index.range, value->integer, array.name, size - 1),
+  AddNote(context_.Fail(Code::kIndexOutOfBounds, index.range, value->integer, array.name, size - 1),
           array.range, MakeMessage("'{0}' is declared here", "'{0}' 在此声明", array.name));
   return false;
 }
 
 // After an incorrect use of a multi-dimensional array, no fix-it is offered for its declaration.
 void Checker::LeaveArray(std::string_view name) {
-  const auto flat = flat_arrays_.find(name);
-  if (flat == flat_arrays_.end()) return;
+  const auto flat = context_.flat_arrays.find(name);
+  if (flat == context_.flat_arrays.end()) return;
   flat->second.report->fixits.clear();
   flat->second.good = false;
 }
@@ -247,22 +221,24 @@ void Checker::ResolveManyIndices(const Expression& expression) {
   for (; base->kind == Expression::Kind::kIndex; base = base->operands[0].get()) {
     levels.insert(levels.begin(), base);
   }
-  const Entity* array = base->kind == Expression::Kind::kName ? Lookup(base->text) : nullptr;
-  const auto flat = flat_arrays_.find(base->text);
-  if (array == nullptr || array->dimensions.size() != levels.size() || flat == flat_arrays_.end()) {
-    Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
-         MakeMessage("arrays have one dimension", "数组只能是一维"));
+  const Entity* array =
+      base->kind == Expression::Kind::kName ? context_.Lookup(base->text) : nullptr;
+  const auto flat = context_.flat_arrays.find(base->text);
+  if (array == nullptr || array->dimensions.size() != levels.size() ||
+      flat == context_.flat_arrays.end()) {
+    context_.Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+                  MakeMessage("arrays have one dimension", "数组只能是一维"));
     LeaveArray(base->text);
     return;
   }
-  uses_flat_array_ = true;
+  context_.statement.uses_flat_array = true;
   bool good = true;
   std::optional<int64_t> number = 0;
   for (size_t i = 0; i < levels.size(); ++i) {
     const Expression& index = *levels[i]->operands[1];
     CheckNames(index);
     good = CheckBounds(*array, array->dimensions[i], index) && good;
-    const std::optional<Constant> value = FoldHere(index);
+    const std::optional<Constant> value = context_.FoldHere(index);
     number = number && value && !value->is_double
                  ? std::optional(*number * array->dimensions[i] + value->integer)
                  : std::nullopt;
@@ -300,9 +276,9 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
   if (array.kind != Expression::Kind::kName) {
     CheckNames(array);
     CheckNames(index);
-    if (!failed_) {
-      Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
-           MakeMessage("only an array has elements", "只有数组才有元素"));
+    if (!context_.statement.failed) {
+      context_.Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+                    MakeMessage("only an array has elements", "只有数组才有元素"));
     }
     return std::nullopt;
   }
@@ -312,13 +288,13 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
     return std::nullopt;
   }
   if (entity->kind != Entity::Kind::kVariable || entity->array_size == 0) {
-    Fail(Code::kMisuse, array.range, array.text, DescribeEntity(*entity),
-         MakeMessage("an array", "数组"));
+    context_.Fail(Code::kMisuse, array.range, array.text, DescribeEntity(*entity),
+                  MakeMessage("an array", "数组"));
     return std::nullopt;
   }
   if (entity->dimensions.size() > 1) {
-    AddNote(Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
-                 MakeMessage("a row is not an element", "一行不是一个元素")),
+    AddNote(context_.Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+                          MakeMessage("a row is not an element", "一行不是一个元素")),
             MakeMessage("write an index for each dimension", "请为每一维写一个下标"));
     LeaveArray(entity->name);
     return std::nullopt;
@@ -326,20 +302,20 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
   TypedOperand operand;
   operand.type = entity->type;
   operand.range = expression.range;
-  if (const std::optional<Literal> constant = ConstantOf(index)) {
+  if (const std::optional<Literal> constant = context_.ConstantOf(index)) {
     if (constant->kind == Literal::Kind::kFixed) {
-      Fail(Code::kIllegalIndex, index.range, MakeMessage("a double", "double"));
+      context_.Fail(Code::kIllegalIndex, index.range, MakeMessage("a double", "double"));
       return std::nullopt;
     }
     const std::optional<TypedOperand> literal = LiteralOperand(*constant, index.range);
     if (!literal || literal->literal->invalid) {
-      failed_ = true;
+      context_.statement.failed = true;
       return std::nullopt;
     }
     const int32_t value = *IntValue(*constant);
     if (value < 0 || value >= entity->array_size) {
-      AddNote(Fail(Code::kIndexOutOfBounds, index.range, int64_t{value}, array.text,
-                   int64_t{entity->array_size} - 1),
+      AddNote(context_.Fail(Code::kIndexOutOfBounds, index.range, int64_t{value}, array.text,
+                            int64_t{entity->array_size} - 1),
               entity->range, MakeMessage("'{0}' is declared here", "'{0}' 在此声明", array.text));
       return std::nullopt;
     }
@@ -347,24 +323,25 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
     return operand;
   }
   if (index.kind == Expression::Kind::kIndex) {
-    const bool failed_before = failed_;
+    const bool failed_before = context_.statement.failed;
     ResolveOperand(index);
-    if (failed_ == failed_before) {
-      Teach(Code::kElementIndex, index.range, Source(index.range));
+    if (context_.statement.failed == failed_before) {
+      context_.Teach(Code::kElementIndex, index.range, context_.Source(index.range));
     }
     return std::nullopt;
   }
   if (index.kind != Expression::Kind::kName) {
     CheckNames(index);
-    Teach(Code::kIllegalIndex, index.range,
-          MakeMessage("the expression '{0}'", "表达式 '{0}'", Source(index.range)));
+    context_.Teach(
+        Code::kIllegalIndex, index.range,
+        MakeMessage("the expression '{0}'", "表达式 '{0}'", context_.Source(index.range)));
     return std::nullopt;
   }
   const std::optional<TypedOperand> variable = ResolveOperand(index);
   if (!variable) return std::nullopt;
   if (variable->type != DataType::kInt) {
-    Teach(Code::kIllegalIndex, index.range,
-          MakeMessage("the double '{0}'", "double 变量 '{0}'", index.text));
+    context_.Teach(Code::kIllegalIndex, index.range,
+                   MakeMessage("the double '{0}'", "double 变量 '{0}'", index.text));
     return std::nullopt;
   }
   operand.operand = vm::Element{entity->storage, entity->id, entity->array_size,
@@ -381,26 +358,26 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
       CheckNames(base);
     }
     Diagnostic& diagnostic =
-        Fail(Code::kIllegalOperator, expression.range, expression.op,
-             MakeMessage("there are no pointers; write '.'", "没有指针；请写 '.'"));
+        context_.Fail(Code::kIllegalOperator, expression.range, expression.op,
+                      MakeMessage("there are no pointers; write '.'", "没有指针；请写 '.'"));
     Replace(diagnostic, {base.range.file, base.range.end, expression.op_range.begin}, ".");
     return std::nullopt;
   }
   if (base.kind != Expression::Kind::kName) {
     CheckNames(base);
-    if (!failed_) {
-      Fail(Code::kNoMember, expression.op_range, ToMessage(fmt::format("'{}'", Source(base.range))),
-           expression.text);
+    if (!context_.statement.failed) {
+      context_.Fail(Code::kNoMember, expression.op_range,
+                    ToMessage(fmt::format("'{}'", context_.Source(base.range))), expression.text);
     }
     return std::nullopt;
   }
   const Entity* entity = ResolveName(base);
   if (entity == nullptr) return std::nullopt;
   if (entity->structure == nullptr) {
-    Fail(Code::kNoMember, expression.op_range,
-         MakeMessage("'{0}', {1},", "'{0}'（{2}）", base.text, DescribeEntity(*entity).en,
-                     DescribeEntity(*entity).zh),
-         expression.text);
+    context_.Fail(Code::kNoMember, expression.op_range,
+                  MakeMessage("'{0}', {1},", "'{0}'（{2}）", base.text, DescribeEntity(*entity).en,
+                              DescribeEntity(*entity).zh),
+                  expression.text);
     return std::nullopt;
   }
   Nearest nearest(expression.text);
@@ -417,7 +394,7 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
     ++offset;
   }
   Diagnostic& diagnostic =
-      Fail(Code::kNoMember, expression.op_range, entity->structure->name, expression.text);
+      context_.Fail(Code::kNoMember, expression.op_range, entity->structure->name, expression.text);
   if (nearest.best().empty()) {
     std::string names;
     for (const gtcalls::Member& member : entity->structure->members) {
@@ -434,25 +411,26 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
 
 // Reports an assignment to a const. Other targets are checked where they are used.
 void Checker::CheckWritable(const Expression& target) {
-  const Entity* entity = Lookup(BaseName(target));
+  const Entity* entity = context_.Lookup(BaseName(target));
   if (entity == nullptr || !entity->is_const) return;
-  AddNote(Fail(Code::kMisuse, target.range, Source(target.range), MakeMessage("const", "常量"),
-               MakeMessage("a variable to assign to", "可赋值的变量")),
+  AddNote(context_.Fail(Code::kMisuse, target.range, context_.Source(target.range),
+                        MakeMessage("const", "常量"),
+                        MakeMessage("a variable to assign to", "可赋值的变量")),
           entity->range, MakeMessage("'{0}' is defined here", "'{0}' 在此定义", entity->name));
 }
 
 std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression) {
   const Message wanted = MakeMessage("a variable to assign to", "可赋值的变量");
-  const bool failed_before = failed_;
+  const bool failed_before = context_.statement.failed;
   CheckWritable(expression);
-  if (failed_ != failed_before) return std::nullopt;
+  if (context_.statement.failed != failed_before) return std::nullopt;
   if (expression.kind == Expression::Kind::kError || expression.literal.invalid) {
-    failed_ = true;
+    context_.statement.failed = true;
     return std::nullopt;
   }
   if (expression.kind == Expression::Kind::kParen) {
     CheckNames(expression);
-    Teach(Code::kNestedExpression, expression.range);
+    context_.Teach(Code::kNestedExpression, expression.range);
     return std::nullopt;
   }
   if (expression.kind == Expression::Kind::kUnary && expression.op == "*") {
@@ -461,20 +439,22 @@ std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression)
   }
   if (!IsLeaf(expression) || expression.kind == Expression::Kind::kLiteral) {
     CheckNames(expression);
-    if (!failed_) {
+    if (!context_.statement.failed) {
       const Message what = expression.kind == Expression::Kind::kLiteral
                                ? MakeMessage("a number", "数")
                                : MakeMessage("an expression", "表达式");
-      Fail(Code::kMisuse, expression.range, Source(expression.range), what, wanted);
+      context_.Fail(Code::kMisuse, expression.range, context_.Source(expression.range), what,
+                    wanted);
     }
     return std::nullopt;
   }
   if (expression.kind == Expression::Kind::kName) {
-    const Entity* entity = Lookup(expression.text);
+    const Entity* entity = context_.Lookup(expression.text);
     if (entity != nullptr && entity->kind == Entity::Kind::kMacro) {
-      AddNote(
-          Fail(Code::kMisuse, expression.range, expression.text, DescribeEntity(*entity), wanted),
-          entity->range, MakeMessage("'{0}' is defined here", "'{0}' 在此定义", expression.text));
+      AddNote(context_.Fail(Code::kMisuse, expression.range, expression.text,
+                            DescribeEntity(*entity), wanted),
+              entity->range,
+              MakeMessage("'{0}' is defined here", "'{0}' 在此定义", expression.text));
       return std::nullopt;
     }
   }
@@ -482,12 +462,12 @@ std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression)
 }
 
 void Checker::TeachNested(const Expression& expression) {
-  Teach(Code::kNestedExpression, expression.range);
+  context_.Teach(Code::kNestedExpression, expression.range);
   CheckNames(expression);
 }
 
 std::optional<Operation> Checker::ResolveOperation(const Expression& expression) {
-  if (IsLeaf(expression) || ConstantOf(expression)) {
+  if (IsLeaf(expression) || context_.ConstantOf(expression)) {
     std::optional<TypedOperand> operand = ResolveOperand(expression);
     if (!operand) return std::nullopt;
     Operation operation;
@@ -504,7 +484,7 @@ std::optional<Operation> Checker::ResolveOperation(const Expression& expression)
       return ResolveCast(expression);
     case Expression::Kind::kCall: {
       const Expression& callee = *expression.operands[0];
-      if (callee.kind == Expression::Kind::kName && Lookup(callee.text) == nullptr &&
+      if (callee.kind == Expression::Kind::kName && context_.Lookup(callee.text) == nullptr &&
           (callee.text == "abs" || callee.text == "fabs")) {
         return ResolveMagnitude(expression);
       }
@@ -525,7 +505,8 @@ std::optional<Operation> Checker::ResolveOperation(const Expression& expression)
 std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   const Expression& left = *expression.operands[0];
   const Expression& right = *expression.operands[1];
-  const bool simple = (IsLeaf(left) || ConstantOf(left)) && (IsLeaf(right) || ConstantOf(right));
+  const bool simple =
+      (IsLeaf(left) || context_.ConstantOf(left)) && (IsLeaf(right) || context_.ConstantOf(right));
   if (!simple) {
     TeachNested(expression);
     return std::nullopt;
@@ -537,15 +518,16 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   const bool any_double = a->type == DataType::kDouble || b->type == DataType::kDouble;
   const DataType type = any_double ? DataType::kDouble : DataType::kInt;
   if (any_double && !vm::Accepts(info, type)) {
-    Fail(Code::kIllegalOperator, expression.op_range, expression.op,
-         MakeMessage("it takes two ints", "它只能用于两个 int"));
+    context_.Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+                  MakeMessage("it takes two ints", "它只能用于两个 int"));
     return std::nullopt;
   }
   for (TypedOperand* operand : {&*a, &*b}) {
     if (!Adapt(*operand, type)) {
-      Teach(Code::kTypeMismatch, operand->range,
-            MakeMessage("an int beside a double", "int 与 double 混用"),
-            MakeMessage("two operands of the same type", "两个类型相同的操作数"), ConvertAdvice());
+      context_.Teach(Code::kTypeMismatch, operand->range,
+                     MakeMessage("an int beside a double", "int 与 double 混用"),
+                     MakeMessage("two operands of the same type", "两个类型相同的操作数"),
+                     ConvertAdvice());
       return std::nullopt;
     }
   }
@@ -560,7 +542,7 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
 
 std::optional<TypedOperand> Checker::ResolveOnlyOperand(const Expression& operand,
                                                         const Expression& operation) {
-  if (IsLeaf(operand) || ConstantOf(operand)) return ResolveOperand(operand);
+  if (IsLeaf(operand) || context_.ConstantOf(operand)) return ResolveOperand(operand);
   TeachNested(operation);
   return std::nullopt;
 }
@@ -576,12 +558,12 @@ std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
   const std::optional<TypedOperand> operand = ResolveOnlyOperand(inner, expression);
   if (!operand) return std::nullopt;
   if (info == nullptr) {
-    Teach(Code::kUnaryMinus, expression.range);
+    context_.Teach(Code::kUnaryMinus, expression.range);
     return std::nullopt;
   }
   if (!vm::Accepts(*info, operand->type)) {
-    Fail(Code::kIllegalOperator, expression.op_range, op,
-         MakeMessage("it takes an int", "它只能用于 int"));
+    context_.Fail(Code::kIllegalOperator, expression.op_range, op,
+                  MakeMessage("it takes an int", "它只能用于 int"));
     return std::nullopt;
   }
   Operation operation;
@@ -598,9 +580,9 @@ std::optional<Operation> Checker::ResolveCast(const Expression& expression) {
   if (!to_double && expression.text != "int" && expression.text != "long" &&
       expression.text != "short") {
     CheckNames(inner);
-    Fail(Code::kNotAType, expression.op_range,
-         ToMessage(fmt::format("'{}'", Source(expression.op_range))),
-         std::string_view("int, double"));
+    context_.Fail(Code::kNotAType, expression.op_range,
+                  ToMessage(fmt::format("'{}'", context_.Source(expression.op_range))),
+                  std::string_view("int, double"));
     return std::nullopt;
   }
   const std::optional<TypedOperand> operand = ResolveOnlyOperand(inner, expression);
@@ -624,11 +606,11 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
   if (count != 1) {
     for (size_t i = 1; i <= count; ++i) CheckNames(*expression.operands[i]);
     if (count == 0) {
-      Fail(Code::kTooFewArguments, expression.range, callee.text, int64_t{1}, int64_t{0},
-           MakeMessage("the number", "操作数"));
+      context_.Fail(Code::kTooFewArguments, expression.range, callee.text, int64_t{1}, int64_t{0},
+                    MakeMessage("the number", "操作数"));
     } else {
-      Fail(Code::kTooManyParameters, expression.range, callee.text, int64_t{1},
-           static_cast<int64_t>(count));
+      context_.Fail(Code::kTooManyParameters, expression.range, callee.text, int64_t{1},
+                    static_cast<int64_t>(count));
     }
     return std::nullopt;
   }
@@ -639,8 +621,8 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
     const std::string_view other = type == DataType::kInt ? "fabs" : "abs";
     const Message found = DescribeType(operand->type);
     Diagnostic& diagnostic =
-        Fail(Code::kTypeMismatch, inner.range, found, DescribeType(type),
-             MakeMessage("'{0}' takes {1}", "{2} 请用 '{0}'", other, found.en, found.zh));
+        context_.Fail(Code::kTypeMismatch, inner.range, found, DescribeType(type),
+                      MakeMessage("'{0}' takes {1}", "{2} 请用 '{0}'", other, found.en, found.zh));
     Replace(diagnostic, callee.range, std::string(other));
     return std::nullopt;
   }
@@ -656,7 +638,7 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
 void Checker::CheckNames(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kError:
-      failed_ = broken_ = true;
+      context_.statement.failed = context_.statement.broken = true;
       return;
     case Expression::Kind::kName:
     case Expression::Kind::kLiteral:
@@ -665,8 +647,8 @@ void Checker::CheckNames(const Expression& expression) {
       ResolveOperand(expression);
       return;
     case Expression::Kind::kString: {
-      Diagnostic& diagnostic =
-          Fail(Code::kExpectedOperand, expression.range, Source(expression.range));
+      Diagnostic& diagnostic = context_.Fail(Code::kExpectedOperand, expression.range,
+                                             context_.Source(expression.range));
       if (const std::optional<int> character = CharacterValue(expression.text)) {
         Replace(diagnostic, expression.range, std::to_string(*character));
         AddNote(diagnostic,
@@ -675,7 +657,7 @@ void Checker::CheckNames(const Expression& expression) {
       return;
     }
     case Expression::Kind::kBraces:
-      Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
+      context_.Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
       return;
     case Expression::Kind::kCall: {
       const Expression& callee = *expression.operands[0];
@@ -687,50 +669,50 @@ void Checker::CheckNames(const Expression& expression) {
       if (callee.kind != Expression::Kind::kName) {
         CheckNames(callee);
         if (callee.literal.invalid) {
-          failed_ = true;
+          context_.statement.failed = true;
         } else {
-          Fail(Code::kNotACommand, callee.range, Source(callee.range));
+          context_.Fail(Code::kNotACommand, callee.range, context_.Source(callee.range));
         }
         return;
       }
-      const Entity* entity = Lookup(callee.text);
+      const Entity* entity = context_.Lookup(callee.text);
       if (entity == nullptr && (callee.text == "abs" || callee.text == "fabs")) {
-        Teach(Code::kNestedExpression, expression.range);
-      } else if (catalogue_.Find(callee.text) != nullptr) {
-        Teach(Code::kRightOfAssign, callee.range, callee.text);
+        context_.Teach(Code::kNestedExpression, expression.range);
+      } else if (context_.catalogue.Find(callee.text) != nullptr) {
+        context_.Teach(Code::kRightOfAssign, callee.range, callee.text);
       } else {
         ReportUnknownCall(callee);
       }
       return;
     }
     case Expression::Kind::kUnary:
-      if (ConstantOf(expression)) {
+      if (context_.ConstantOf(expression)) {
         ResolveOperand(expression);
         return;
       }
       if (expression.op == "++" || expression.op == "--") CheckWritable(*expression.operands[0]);
       if (expression.op == "&") {
         CheckNames(*expression.operands[0]);
-        Fail(Code::kIllegalOperator, expression.op_range, expression.op,
-             MakeMessage("addresses are only for the outputs of GT commands",
-                         "取地址只能用于 GT 指令的输出参数"));
+        context_.Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+                      MakeMessage("addresses are only for the outputs of GT commands",
+                                  "取地址只能用于 GT 指令的输出参数"));
         return;
       }
       if (expression.op == "*") {
         CheckNames(*expression.operands[0]);
-        Fail(Code::kIllegalOperator, expression.op_range, expression.op,
-             MakeMessage("there are no pointers", "没有指针"));
+        context_.Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+                      MakeMessage("there are no pointers", "没有指针"));
         return;
       }
       [[fallthrough]];
     case Expression::Kind::kPostfix:
       if (expression.kind == Expression::Kind::kPostfix) CheckWritable(*expression.operands[0]);
       if (expression.op == "++" || expression.op == "--") {
-        Teach(Code::kIncrement, expression.op_range, expression.op,
-              Source(expression.operands[0]->range), expression.op.substr(1));
+        context_.Teach(Code::kIncrement, expression.op_range, expression.op,
+                       context_.Source(expression.operands[0]->range), expression.op.substr(1));
       } else if (expression.op == "+") {
-        Teach(Code::kIllegalOperator, expression.op_range, expression.op,
-              MakeMessage("remove the sign '+'", "不写正号 '+'"));
+        context_.Teach(Code::kIllegalOperator, expression.op_range, expression.op,
+                       MakeMessage("remove the sign '+'", "不写正号 '+'"));
       }
       break;
     case Expression::Kind::kAssign:
@@ -738,12 +720,12 @@ void Checker::CheckNames(const Expression& expression) {
       break;
     case Expression::Kind::kCompound:
       CheckWritable(*expression.operands[0]);
-      Teach(Code::kCompoundAssignment, expression.op_range, expression.op);
+      context_.Teach(Code::kCompoundAssignment, expression.op_range, expression.op);
       break;
     case Expression::Kind::kConditional:
-      Teach(Code::kIllegalOperator, expression.op_range, std::string_view("?:"),
-            MakeMessage("choose with 'if (variable) goto label;'",
-                        "请用 'if (变量) goto 标号;' 选择"));
+      context_.Teach(Code::kIllegalOperator, expression.op_range, std::string_view("?:"),
+                     MakeMessage("choose with 'if (variable) goto label;'",
+                                 "请用 'if (变量) goto 标号;' 选择"));
       break;
     default:
       break;

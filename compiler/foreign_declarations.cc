@@ -181,28 +181,13 @@ bool IsZero(const Expression& value, const std::function<bool(const Expression&)
 }  // namespace
 
 const std::vector<StatementPtr>& Checker::ScopeOfNames() const {
-  return function_ != nullptr ? function_->syntax->body : tree_->items;
-}
-
-NameUses Checker::UsesInFunction(std::string_view name) {
-  std::optional<NameTable>& uses = function_->uses;
-  if (!uses) uses.emplace().Add(function_->syntax->body);
-  return uses->Find(name);
+  return context_.function != nullptr ? context_.function->syntax->body : context_.tree->items;
 }
 
 NameUses Checker::UsesHere(std::string_view name) {
-  if (function_ != nullptr) return UsesInFunction(name);
-  if (!program_uses_) program_uses_.emplace().Add(tree_->items);
+  if (context_.function != nullptr) return context_.UsesInFunction(name);
+  if (!program_uses_) program_uses_.emplace().Add(context_.tree->items);
   return program_uses_->Find(name);
-}
-
-std::optional<Constant> Checker::FoldHere(const Expression& expression) const {
-  return Fold(expression, [this](std::string_view name) -> std::optional<Literal> {
-    const Entity* entity = Lookup(name);
-    if (entity == nullptr) return TruthValue(name);
-    if (entity->kind != Entity::Kind::kMacro) return std::nullopt;
-    return entity->value;
-  });
 }
 
 // True if an int gives the same results as a variable of the foreign type, as far as can be
@@ -221,7 +206,7 @@ bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& typ
   if (range.is_signed && !range.narrow) return true;
   for (const Declarator& declarator : declarators) {
     IntSearch search(&declarator, range, Scopes(),
-                     [this](const Expression& value) { return FoldHere(value); });
+                     [this](const Expression& value) { return context_.FoldHere(value); });
     for (const StatementPtr& item : ScopeOfNames()) {
       ForEachStatement(*item, [&search](const Statement& below) { search.Add(below); });
     }
@@ -238,7 +223,7 @@ bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
   const Range range = RangeOf(function.specifiers);
   if (type.report == nullptr || !range.narrow) return true;
   const IntSearch search(nullptr, range, Scopes(),
-                         [this](const Expression& value) { return FoldHere(value); });
+                         [this](const Expression& value) { return context_.FoldHere(value); });
   const Expression* difference = nullptr;
   for (const StatementPtr& item : function.body) {
     ForEachStatement(*item, [&](const Statement& below) {
@@ -252,7 +237,7 @@ bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
 }
 
 const NameScopes& Checker::Scopes() {
-  if (!scopes_) scopes_.emplace(*tree_);
+  if (!scopes_) scopes_.emplace(*context_.tree);
   return *scopes_;
 }
 
@@ -275,7 +260,7 @@ bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator>
                           "'{0}' 没有值，以后也无法赋值；请在此写出", declarator.name));
       return false;
     }
-    std::optional<Constant> value = FoldHere(*declarator.initialiser);
+    std::optional<Constant> value = context_.FoldHere(*declarator.initialiser);
     if (!value || !declarator.sizes.empty() || declarator.pointer) {
       numbers = false;
       continue;
@@ -288,7 +273,7 @@ bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator>
     macros +=
         fmt::format("{}#define {} {}", macros.empty() ? "" : "\n", declarator.name, value->Text());
   }
-  if (function_ != nullptr) return true;
+  if (context_.function != nullptr) return true;
   if (!numbers) {
     AddNote(*type.report,
             MakeMessage("globals have no initial values; write numbers as #define, and fill arrays "
@@ -297,7 +282,7 @@ bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator>
     return false;
   }
   // A directive must be on a line of its own.
-  const std::string_view text = files_[static_cast<size_t>(declaration.file)].text();
+  const std::string_view text = context_.files[static_cast<size_t>(declaration.file)].text();
   const size_t line_begin = text.rfind('\n', declaration.begin) + 1;
   const std::string_view before = text.substr(line_begin, declaration.begin - line_begin);
   const size_t next = text.find_first_not_of(" \t\r", declaration.end);
@@ -314,7 +299,7 @@ bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator>
 bool Checker::CorrectType(const Specifiers& specifiers, const DeclaredType& type,
                           std::span<const Declarator> declarators, SourceRange declaration) {
   if (type.report == nullptr || !type.valid) return false;
-  if (type.is_static && function_ != nullptr) {
+  if (type.is_static && context_.function != nullptr) {
     AddNote(*type.report, MakeMessage("a variable that keeps its value between runs of a function "
                                       "is a global; declare it before the function",
                                       "函数各次运行共用的变量是全局变量；请在函数之前声明"));
@@ -334,7 +319,7 @@ bool Checker::CorrectType(const Specifiers& specifiers, const DeclaredType& type
 void Checker::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
                                        SourceRange value) {
   const bool zero = IsZero(*declarator.initialiser, [this](const Expression& element) {
-    const std::optional<Constant> constant = FoldHere(element);
+    const std::optional<Constant> constant = context_.FoldHere(element);
     return constant && constant->AsDouble() == 0;
   });
   if (zero) {
@@ -351,8 +336,8 @@ void Checker::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic&
 void Checker::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
   constexpr int kRoomForNumber = 4;
   const std::string_view old = declarator.name;
-  const std::string fresh =
-      fresh_.Make(old.substr(0, std::min<size_t>(old.size(), vm::kNameLengthMax - kRoomForNumber)));
+  const std::string fresh = context_.fresh.Make(
+      old.substr(0, std::min<size_t>(old.size(), vm::kNameLengthMax - kRoomForNumber)));
   const uint32_t begin = declarator.name_range.begin;
   const auto rename = [&](const Statement& statement) {
     for (const Declarator& other : statement.declarators) {
@@ -369,12 +354,12 @@ void Checker::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
       });
     });
   };
-  const Statement* block = function_->blocks.back().statement;
+  const Statement* block = context_.function->blocks.back().statement;
   if (block != nullptr) {
     ForEachStatement(*block, rename);
     return;
   }
-  for (const StatementPtr& item : function_->syntax->body) ForEachStatement(*item, rename);
+  for (const StatementPtr& item : context_.function->syntax->body) ForEachStatement(*item, rename);
 }
 
 }  // namespace oncard::compiler

@@ -52,7 +52,7 @@ bool IsBlock(const Statement* statement) {
 
 // A line end with the indentation of the line that contains the range.
 std::string Rewriter::Separator(SourceRange range) const {
-  const SourceFile& file = checker_.files_[static_cast<size_t>(range.file)];
+  const SourceFile& file = context_.files[static_cast<size_t>(range.file)];
   const std::string_view line = file.Line(file.LineOf(range.begin));
   const size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
   const bool carriage_return = file.text().find("\r\n") != std::string::npos;
@@ -88,13 +88,12 @@ void Rewriter::Substitute(SourceRange range, const Lines& lines, const std::stri
 
 void Rewriter::Finish() {
   // Declarations of temporaries come before statements: edits are kept in the order of the text.
-  if (!declarations_.empty() && checker_.function_ != nullptr) {
-    const SourceRange at = checker_.function_->declarations_end;
-    const bool after_brace = at.begin == checker_.function_->syntax->open_brace.end;
-    const std::vector<StatementPtr>& body = checker_.function_->syntax->body;
+  if (!declarations_.empty() && context_.function != nullptr) {
+    const SourceRange at = context_.function->declarations_end;
+    const bool after_brace = at.begin == context_.function->syntax->open_brace.end;
+    const std::vector<StatementPtr>& body = context_.function->syntax->body;
     std::string separator = body.empty() ? "\n" : Separator(body.front()->range);
-    if (after_brace && !body.empty() &&
-        separator == Separator(checker_.function_->syntax->header)) {
+    if (after_brace && !body.empty() && separator == Separator(context_.function->syntax->header)) {
       separator += "  ";
     }
     // One edit each: a declaration that two fix-its need is inserted once.
@@ -109,17 +108,17 @@ void Rewriter::Finish() {
   declarations_.clear();
 }
 
-lowering::FragmentContext Rewriter::Context() const {
-  return {checker_.options_,
-          checker_.files_,
-          [this](std::string_view name) { return checker_.Lookup(name); },
-          checker_.fresh_,
-          *checker_.function_->syntax,
-          checker_.function_->is_void ? vm::DataType::kVoid : checker_.function_->out.return_type};
+lowering::FragmentContext Rewriter::Around() const {
+  return {context_.options,
+          context_.files,
+          [this](std::string_view name) { return context_.Lookup(name); },
+          context_.fresh,
+          *context_.function->syntax,
+          context_.function->is_void ? vm::DataType::kVoid : context_.function->out.return_type};
 }
 
 std::string Rewriter::OutputVariable(std::string_view base, vm::DataType type) {
-  std::string name = checker_.fresh_.Make(base);
+  std::string name = context_.fresh.Make(base);
   AddDeclaration(fmt::format("{} {};", vm::TypeName(type), name));
   return name;
 }
@@ -131,13 +130,13 @@ void Rewriter::Declare(lowering::Fragment& fragment) {
 std::optional<lowering::Fragment> Rewriter::Initialise(
     const std::vector<const Declarator*>& declarators) {
   for (const Declarator* declarator : declarators) {
-    const Entity* entity = checker_.Lookup(declarator->name);
+    const Entity* entity = context_.Lookup(declarator->name);
     if (entity == nullptr || entity->structure == nullptr) continue;
     AddNote(diagnostic_, MakeMessage("assign the members of '{0}' one by one in statements",
                                      "请用语句逐个给 '{0}' 的成员赋值", declarator->name));
     return std::nullopt;
   }
-  std::optional<lowering::Fragment> fragment = lowering::LowerInitialValues(Context(), declarators);
+  std::optional<lowering::Fragment> fragment = lowering::LowerInitialValues(Around(), declarators);
   if (fragment) Declare(*fragment);
   return fragment;
 }
@@ -145,9 +144,9 @@ std::optional<lowering::Fragment> Rewriter::Initialise(
 bool Rewriter::InitialiseFirst(const std::vector<const Declarator*>& declarators) {
   const std::optional<lowering::Fragment> fragment = Initialise(declarators);
   if (!fragment) return false;
-  SourceRange at = checker_.function_->statements_begin;
+  SourceRange at = context_.function->statements_begin;
   at.end = at.begin;
-  const bool at_end = at.begin == checker_.function_->syntax->close_brace.begin;
+  const bool at_end = at.begin == context_.function->syntax->close_brace.begin;
   const std::string separator = Separator(at);
   std::string text;
   for (const std::string& line : fragment->parts[0].lines) {
@@ -171,7 +170,7 @@ void Rewriter::ReplaceDeclaration(const Statement& statement,
 // A return code that is never used can be dropped.
 bool Rewriter::DropResult(const Expression& target) {
   const std::string_view name = BaseName(target);
-  const Entity* entity = checker_.Lookup(name);
+  const Entity* entity = context_.Lookup(name);
   if (entity == nullptr || HasEffects(target)) return false;
   if (entity->storage == vm::Storage::kGlobal) {
     AddNote(diagnostic_,
@@ -181,7 +180,7 @@ bool Rewriter::DropResult(const Expression& target) {
                         name));
     return false;
   }
-  const Expression* read = checker_.UsesInFunction(name).first_read;
+  const Expression* read = context_.UsesInFunction(name).first_read;
   if (read == nullptr) return true;
   AddNote(diagnostic_, read->range,
           MakeMessage("'{0}' is read here, but a motion program cannot see return codes; remove "
@@ -203,7 +202,7 @@ bool Rewriter::DropResults(const Statement& statement) {
       while (value->kind == Expression::Kind::kParen) value = value->operands[0].get();
       const bool returned = value->kind == Expression::Kind::kCall &&
                             value->operands[0]->kind == Expression::Kind::kName &&
-                            checker_.catalogue_.Find(value->operands[0]->text) != nullptr;
+                            context_.catalogue.Find(value->operands[0]->text) != nullptr;
       if (returned) good = DropResult(*expression.operands[0]);
     });
   });
@@ -218,7 +217,7 @@ bool Rewriter::HasBothBraces(const Statement& block) const {
 
 // False for a block whose braces cannot be removed.
 bool Rewriter::CanOpen(const Statement* body) const {
-  return !IsBlock(body) || (HasBothBraces(*body) && !checker_.NeedsBraces(*body));
+  return !IsBlock(body) || (HasBothBraces(*body) && !context_.NeedsBraces(*body));
 }
 
 void Rewriter::Rewrite(const Statement& statement, const Place& place) {
@@ -233,7 +232,7 @@ void Rewriter::Rewrite(const Statement& statement, const Place& place) {
     return;
   }
   if (!DropResults(statement)) return;
-  std::optional<lowering::Fragment> fragment = lowering::LowerFragment(Context(), statement);
+  std::optional<lowering::Fragment> fragment = lowering::LowerFragment(Around(), statement);
   if (!fragment) return;
   Declare(*fragment);
   // A label needs a statement after it.
@@ -285,7 +284,7 @@ void Rewriter::ReplaceAround(const Statement& statement, lowering::Fragment frag
 }
 
 void Rewriter::RewriteBlock(const Statement& statement) {
-  if (!HasBothBraces(statement) || checker_.NeedsBraces(statement)) return;
+  if (!HasBothBraces(statement) || context_.NeedsBraces(statement)) return;
   edits_.push_back(
       {Between(statement.range, statement.range.begin, statement.range.begin + 1), ""});
   edits_.push_back({Between(statement.range, statement.range.end - 1, statement.range.end), ""});

@@ -11,14 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/checker.h"
+#include "compiler/check_context.h"
 #include "compiler/lowering/fragment.h"
 
 namespace oncard::compiler {
 
 class Rewriter {
  public:
-  Rewriter(Checker& checker, Diagnostic& diagnostic) : checker_(checker), diagnostic_(diagnostic) {}
+  Rewriter(CheckContext& context, Diagnostic& diagnostic)
+      : context_(context), diagnostic_(diagnostic) {}
 
   /// Puts statements that give variables their initial values before the first statement of the
   /// function. False if there are none for one of the values.
@@ -42,7 +43,7 @@ class Rewriter {
   enum class Comments : uint8_t { kFirst, kLast };
   using Lines = std::vector<std::string>;
 
-  lowering::FragmentContext Context() const;
+  lowering::FragmentContext Around() const;
   bool DropResults(const Statement& statement);
   bool DropResult(const Expression& target);
   void Declare(lowering::Fragment& fragment);
@@ -54,10 +55,10 @@ class Rewriter {
                   std::string_view before, std::string_view after);
   bool CanOpen(const Statement* body) const;
   bool HasBothBraces(const Statement& block) const;
-  std::string_view Source(SourceRange range) const { return checker_.Source(range); }
+  std::string_view Source(SourceRange range) const { return context_.Source(range); }
   std::string Separator(SourceRange range) const;
 
-  Checker& checker_;
+  CheckContext& context_;
   Diagnostic& diagnostic_;
   std::vector<std::string> declarations_;
   std::vector<FixIt> edits_;

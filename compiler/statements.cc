@@ -37,7 +37,7 @@ void Checker::CheckItem(const Statement& statement) {
       CheckFunction(*statement.function);
       return;
     case Statement::Kind::kMacro:
-      DefineMacro(tree_->macros[static_cast<size_t>(statement.macro)]);
+      DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
       return;
     case Statement::Kind::kEmpty:
     case Statement::Kind::kError:
@@ -51,19 +51,19 @@ void Checker::CheckItem(const Statement& statement) {
 void Checker::CheckOutside(const Statement& statement) {
   switch (statement.kind) {
     case Statement::Kind::kStrayBrace:
-      Replace(reporter_.Report(Code::kStrayBrace, statement.range), statement.range, "");
+      Replace(context_.reporter.Report(Code::kStrayBrace, statement.range), statement.range, "");
       return;
     case Statement::Kind::kLabel:
-      reporter_.Report(Code::kMisplacedLabel, statement.name_range, statement.name,
-                       MakeMessage("outside a function", "函数之外"));
+      context_.reporter.Report(Code::kMisplacedLabel, statement.name_range, statement.name,
+                               MakeMessage("outside a function", "函数之外"));
       return;
     case Statement::Kind::kExpression: {
       const Expression& value = *statement.value;
       if (value.kind == Expression::Kind::kError) return;
       if (value.kind == Expression::Kind::kCall &&
           value.operands[0]->kind == Expression::Kind::kName &&
-          catalogue_.Find(value.operands[0]->text) != nullptr) {
-        reporter_.Report(Code::kCommandOutside, statement.range, value.operands[0]->text);
+          context_.catalogue.Find(value.operands[0]->text) != nullptr) {
+        context_.reporter.Report(Code::kCommandOutside, statement.range, value.operands[0]->text);
         return;
       }
       break;
@@ -71,7 +71,7 @@ void Checker::CheckOutside(const Statement& statement) {
     default:
       break;
   }
-  reporter_.Report(Code::kOutsideFunction, statement.keyword);
+  context_.reporter.Report(Code::kOutsideFunction, statement.keyword);
 }
 
 void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& place) {
@@ -89,13 +89,13 @@ void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& pla
       // A declaration after a label is moved to the top; then a statement follows the label.
       bool before_declaration = i + 1 < items.size() &&
                                 items[i + 1]->kind == Statement::Kind::kDeclaration &&
-                                !function_->statements_begun;
+                                !context_.function->statements_begun;
       if (before_declaration) {
-        reporter_.Report(Code::kMisplacedLabel, item.name_range, item.name,
-                         MakeMessage("before a declaration", "声明之前"));
+        context_.reporter.Report(Code::kMisplacedLabel, item.name_range, item.name,
+                                 MakeMessage("before a declaration", "声明之前"));
       }
       CheckLabel(item, i + 1 < last || !place.top);
-      if (!before_declaration) function_->statements_begun = true;
+      if (!before_declaration) context_.function->statements_begun = true;
       continue;
     }
     CheckStatement(item, here);
@@ -103,31 +103,31 @@ void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& pla
 }
 
 void Checker::CheckLabel(const Statement& statement, bool has_statement) {
-  FunctionState& function = *function_;
+  FunctionState& function = *context_.function;
   const auto found = function.labels.find(statement.name);
   if (found != function.labels.end()) {
-    AddNote(reporter_.Report(Code::kRedefinition, statement.name_range, statement.name),
+    AddNote(context_.reporter.Report(Code::kRedefinition, statement.name_range, statement.name),
             found->second.range, MakeMessage("the first definition is here", "首次定义在此处"));
     return;
   }
   if (function.labels.size() == vm::kLabelMax && !function.too_many_labels) {
     function.too_many_labels = true;
-    reporter_.Report(Code::kTooManyLabels, statement.name_range, statement.name,
-                     int64_t{vm::kLabelMax});
+    context_.reporter.Report(Code::kTooManyLabels, statement.name_range, statement.name,
+                             int64_t{vm::kLabelMax});
   }
   function.labels[statement.name] = {statement.name_range,
                                      static_cast<int>(function.out.instructions.size()), true};
   function.label_names.push_back(statement.name);
   if (!has_statement) {
-    InsertAfter(
-        reporter_.Report(Code::kLabelWithoutStatement, statement.name_range, statement.name),
-        statement.range, " return;");
+    InsertAfter(context_.reporter.Report(Code::kLabelWithoutStatement, statement.name_range,
+                                         statement.name),
+                statement.range, " return;");
   }
 }
 
 void Checker::ResolveJumps() {
-  FunctionState& function = *function_;
-  for (const Jump& jump : function.jumps) {
+  FunctionState& function = *context_.function;
+  for (const FunctionState::Jump& jump : function.jumps) {
     const auto label = function.labels.find(jump.label);
     if (label != function.labels.end()) {
       const int distance = label->second.instruction - static_cast<int>(jump.instruction);
@@ -136,11 +136,13 @@ void Checker::ResolveJumps() {
       }
       continue;
     }
-    if (skipped_names_.contains(jump.label)) continue;
+    if (context_.skipped_names.contains(jump.label)) continue;
     // Reported once for each label.
-    if (!function.labels.emplace(jump.label, Label{jump.range, 0, false}).second) continue;
-    Diagnostic& diagnostic = reporter_.Report(Code::kUnknownLabel, jump.range, jump.label);
-    if (!MaySuggest()) continue;
+    if (!function.labels.emplace(jump.label, FunctionState::Label{jump.range, 0, false}).second) {
+      continue;
+    }
+    Diagnostic& diagnostic = context_.reporter.Report(Code::kUnknownLabel, jump.range, jump.label);
+    if (!context_.MaySuggest()) continue;
     Nearest nearest(jump.label);
     for (const std::string_view name : function.label_names) nearest.Add(name);
     if (!nearest.best().empty()) {
@@ -151,50 +153,35 @@ void Checker::ResolveJumps() {
   }
 }
 
-void Checker::Emit(vm::Instruction instruction) {
-  FunctionState& function = *function_;
-  if (function.out.instructions.size() == vm::kInstructionMax) {
-    if (!function.too_long) {
-      function.too_long = true;
-      reporter_.Report(Code::kFunctionTooLong, statement_range_, function.syntax->name,
-                       int64_t{vm::kInstructionMax} + 1, int64_t{vm::kInstructionMax});
-    }
-    return;
-  }
-  function.out.instructions.push_back(std::move(instruction));
-  function.out.lines.push_back(line_);
-  function.places.statements.push_back(statement_range_);
-}
-
 void Checker::BeginStatement(const Statement& statement) {
-  lesson_.reset();
-  failed_ = broken_ = false;
-  uses_flat_array_ = false;
-  statement_range_ = statement.range;
+  context_.statement = {};
+  context_.statement.range = statement.range;
   // Line numbers are words of the object; a larger one is written as unknown (0).
-  const int line = LineOf(statement.range);
-  line_ = line <= UINT16_MAX ? static_cast<uint16_t>(line) : uint16_t{0};
+  const int line = context_.LineOf(statement.range);
+  context_.statement.line = line <= UINT16_MAX ? static_cast<uint16_t>(line) : uint16_t{0};
 }
 
 void Checker::EndStatement(const Statement& statement, const Place& place) {
   // The array is made one-dimensional first.
-  if (uses_flat_array_ && !failed_) return;
-  if (!lesson_ || broken_) return;
-  Diagnostic& diagnostic = reporter_.Report(lesson_->code, lesson_->range, lesson_->arguments);
-  if (lesson_->code == Code::kUserCall) {
+  if (context_.statement.uses_flat_array && !context_.statement.failed) return;
+  if (!context_.statement.lesson || context_.statement.broken) return;
+  Diagnostic& diagnostic =
+      context_.reporter.Report(context_.statement.lesson->code, context_.statement.lesson->range,
+                               context_.statement.lesson->arguments);
+  if (context_.statement.lesson->code == Code::kUserCall) {
     AddNote(diagnostic,
             MakeMessage("bind the function to a thread of its own from the host (GT_Bind, "
                         "GT_RunThread), or write its statements here",
                         "请由主机把该函数绑定到单独的线程（GT_Bind、GT_RunThread），"
                         "或把它的语句写在这里"));
   }
-  if (!failed_) Rewriter(*this, diagnostic).Rewrite(statement, place);
+  if (!context_.statement.failed) Rewriter(context_, diagnostic).Rewrite(statement, place);
 }
 
 void Checker::CheckStatement(const Statement& statement, const Place& place) {
   if (statement.kind != Statement::Kind::kDeclaration &&
       statement.kind != Statement::Kind::kMacro) {
-    function_->statements_begun = true;
+    context_.function->statements_begun = true;
   }
   switch (statement.kind) {
     case Statement::Kind::kEmpty:
@@ -234,21 +221,23 @@ void Checker::CheckStatement(const Statement& statement, const Place& place) {
     case Statement::Kind::kCase:
     case Statement::Kind::kDefault:
       if (!place.in_switch) {
-        reporter_.Report(Code::kReservedWord, statement.keyword, Source(statement.keyword),
-                         MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
+        context_.reporter.Report(
+            Code::kReservedWord, statement.keyword, context_.Source(statement.keyword),
+            MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
       }
       return;
     case Statement::Kind::kBreak:
     case Statement::Kind::kContinue: {
       const bool is_break = statement.kind == Statement::Kind::kBreak;
       if (place.in_loop || (is_break && place.in_switch)) return;
-      reporter_.Report(Code::kReservedWord, statement.keyword, Source(statement.keyword),
-                       MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
+      context_.reporter.Report(
+          Code::kReservedWord, statement.keyword, context_.Source(statement.keyword),
+          MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
       return;
     }
     case Statement::Kind::kBlock: {
-      Diagnostic& diagnostic = reporter_.Report(Code::kBlock, statement.keyword);
-      Rewriter(*this, diagnostic).RewriteBlock(statement);
+      Diagnostic& diagnostic = context_.reporter.Report(Code::kBlock, statement.keyword);
+      Rewriter(context_, diagnostic).RewriteBlock(statement);
       Place inside = place;
       inside.top = false;
       CheckBlock(statement, inside);
@@ -256,15 +245,16 @@ void Checker::CheckStatement(const Statement& statement, const Place& place) {
     }
     case Statement::Kind::kFunction: {
       Diagnostic& diagnostic =
-          reporter_.Report(Code::kNestedFunction, statement.function->name_range,
-                           statement.function->name, function_->syntax->name);
-      AddNote(diagnostic, function_->syntax->open_brace,
-              MakeMessage("'{0}' begins here", "'{0}' 从此处开始", function_->syntax->name));
+          context_.reporter.Report(Code::kNestedFunction, statement.function->name_range,
+                                   statement.function->name, context_.function->syntax->name);
+      AddNote(
+          diagnostic, context_.function->syntax->open_brace,
+          MakeMessage("'{0}' begins here", "'{0}' 从此处开始", context_.function->syntax->name));
       CheckFunction(*statement.function);
       return;
     }
     case Statement::Kind::kMacro:
-      DefineMacro(tree_->macros[static_cast<size_t>(statement.macro)]);
+      DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
       return;
     case Statement::Kind::kStrayBrace:
       return;
@@ -283,7 +273,7 @@ void Checker::CheckExpressionStatement(const Statement& statement) {
     case Expression::Kind::kCompound:
     case Expression::Kind::kPostfix:
       CheckNames(value);
-      if (!failed_) ResolveTarget(*value.operands[0]);
+      if (!context_.statement.failed) ResolveTarget(*value.operands[0]);
       return;
     case Expression::Kind::kComma:
       TeachNested(value);
@@ -308,9 +298,9 @@ void Checker::CheckExpressionStatement(const Statement& statement) {
       break;
   }
   CheckNames(value);
-  if (!failed_) {
-    lesson_.reset();
-    Fail(Code::kNoEffect, value.range);
+  if (!context_.statement.failed) {
+    context_.statement.lesson.reset();
+    context_.Fail(Code::kNoEffect, value.range);
   }
 }
 
@@ -324,8 +314,8 @@ void Checker::CheckAssignment(const Expression& assignment) {
                              operation->operands[0].literal.has_value();
   if (operation->result != target->type) {
     if (!plain_literal || !Adapt(operation->operands[0], target->type)) {
-      Teach(Code::kTypeMismatch, value.range, DescribeType(operation->result),
-            DescribeType(target->type), ConvertAdvice());
+      context_.Teach(Code::kTypeMismatch, value.range, DescribeType(operation->result),
+                     DescribeType(target->type), ConvertAdvice());
       return;
     }
     operation->type = target->type;
@@ -338,78 +328,83 @@ void Checker::CheckAssignment(const Expression& assignment) {
     instruction.operands.push_back(operand.operand);
   }
   instruction.operands.push_back(target->operand);
-  Emit(std::move(instruction));
+  context_.Emit(std::move(instruction));
 }
 
 void Checker::CheckGoto(const Statement& statement, vm::Operand condition) {
   vm::Instruction instruction;
   instruction.opcode = vm::Opcode::kJump;
   instruction.operands = {condition};
-  function_->jumps.push_back(
-      {function_->out.instructions.size(), statement.name, statement.name_range});
-  Emit(std::move(instruction));
+  context_.function->jumps.push_back(
+      {context_.function->out.instructions.size(), statement.name, statement.name_range});
+  context_.Emit(std::move(instruction));
 }
 
 void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
   vm::Instruction instruction;
   instruction.opcode = vm::Opcode::kReturn;
   instruction.operands = {condition, kZero};
-  const DataType wanted = function_->out.return_type;
+  const DataType wanted = context_.function->out.return_type;
   if (statement.value == nullptr) {
-    Emit(std::move(instruction));
+    context_.Emit(std::move(instruction));
     return;
   }
   const Expression& value = *statement.value;
   if (value.kind == Expression::Kind::kError) {
-    failed_ = true;
+    context_.statement.failed = true;
     return;
   }
-  if (function_->is_void) {
+  if (context_.function->is_void) {
     CheckNames(value);
-    lesson_.reset();
-    Diagnostic& diagnostic = Fail(Code::kReturnValue, value.range, function_->syntax->name);
+    context_.statement.lesson.reset();
+    Diagnostic& diagnostic =
+        context_.Fail(Code::kReturnValue, value.range, context_.function->syntax->name);
     Replace(diagnostic, {value.range.file, statement.keyword.end, value.range.end}, "");
     return;
   }
-  if (!IsLeaf(value) && !ConstantOf(value)) {
+  if (!IsLeaf(value) && !context_.ConstantOf(value)) {
     // Reports what the expression itself is, so that for `return -x;` it is the minus.
-    const bool failed_before = failed_;
+    const bool failed_before = context_.statement.failed;
     ResolveOperation(value);
-    if (failed_ == failed_before) Teach(Code::kNestedExpression, value.range);
+    if (context_.statement.failed == failed_before) {
+      context_.Teach(Code::kNestedExpression, value.range);
+    }
     return;
   }
   std::optional<TypedOperand> operand = ResolveOperand(value);
   if (!operand) return;
   if (!Adapt(*operand, wanted)) {
-    Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type), DescribeType(wanted),
-          ConvertAdvice());
+    context_.Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type),
+                   DescribeType(wanted), ConvertAdvice());
     return;
   }
   instruction.operands[1] = operand->operand;
-  Emit(std::move(instruction));
+  context_.Emit(std::move(instruction));
 }
 
 // A condition must be an int variable.
 void Checker::CheckCondition(const Expression& condition, vm::Operand* operand) {
   if (condition.kind == Expression::Kind::kName || condition.kind == Expression::Kind::kMember) {
-    if (!ConstantOf(condition)) {
+    if (!context_.ConstantOf(condition)) {
       const std::optional<TypedOperand> variable = ResolveOperand(condition);
       if (!variable) {
-        failed_ = true;
+        context_.statement.failed = true;
         return;
       }
       if (variable->type == DataType::kInt) {
         *operand = variable->operand;
         return;
       }
-      Teach(Code::kCondition, condition.range,
-            MakeMessage("the double '{0}'", "double 变量 '{0}'", Source(condition.range)));
+      context_.Teach(
+          Code::kCondition, condition.range,
+          MakeMessage("the double '{0}'", "double 变量 '{0}'", context_.Source(condition.range)));
       return;
     }
   }
   CheckNames(condition);
-  lesson_.reset();
-  Teach(Code::kCondition, condition.range, ToMessage(fmt::format("'{}'", Source(condition.range))));
+  context_.statement.lesson.reset();
+  context_.Teach(Code::kCondition, condition.range,
+                 ToMessage(fmt::format("'{}'", context_.Source(condition.range))));
 }
 
 void Checker::CheckIf(const Statement& statement, const Place& place) {
@@ -428,20 +423,20 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
     return;
   }
   CheckNames(*statement.value);
-  const bool failed = failed_;
-  lesson_.reset();
+  const bool failed = context_.statement.failed;
+  context_.statement.lesson.reset();
   Diagnostic* diagnostic = nullptr;
   if (statement.else_body != nullptr) {
-    diagnostic = &reporter_.Report(Code::kIfElse, statement.other);
+    diagnostic = &context_.reporter.Report(Code::kIfElse, statement.other);
   } else if (body.kind != Statement::Kind::kError) {
-    const std::string_view text = Source(body.range);
+    const std::string_view text = context_.Source(body.range);
     const size_t word = std::min(text.find_first_of(" \t\r\n;({"), text.size());
-    diagnostic = &reporter_.Report(
+    diagnostic = &context_.reporter.Report(
         Code::kIfBody, body.keyword,
         ToMessage(fmt::format("'{}'", text.substr(0, std::max<size_t>(word, 1)))));
   }
-  if (diagnostic != nullptr && !failed && !uses_flat_array_) {
-    Rewriter(*this, *diagnostic).Rewrite(statement, place);
+  if (diagnostic != nullptr && !failed && !context_.statement.uses_flat_array) {
+    Rewriter(context_, *diagnostic).Rewrite(statement, place);
   }
   Place inside = place;
   inside.top = false;
@@ -458,19 +453,19 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
 }
 
 void Checker::OpenBlock(const Statement* statement) {
-  function_->blocks.push_back({statement, {}});
+  context_.function->blocks.push_back({statement, {}});
 }
 
 void Checker::CloseBlock() {
-  for (const auto& [name, outer] : function_->blocks.back().names) {
+  for (const auto& [name, outer] : context_.function->blocks.back().names) {
     if (outer) {
-      function_->open_names[name] = *outer;
+      context_.function->open_names[name] = *outer;
     } else {
-      function_->open_names.erase(name);
+      context_.function->open_names.erase(name);
     }
-    if (function_->locals.Find(name)->hides) function_->locals.End(name);
+    if (context_.function->locals.Find(name)->hides) context_.function->locals.End(name);
   }
-  function_->blocks.pop_back();
+  context_.function->blocks.pop_back();
 }
 
 void Checker::CheckBlock(const Statement& statement, const Place& place) {
@@ -479,25 +474,14 @@ void Checker::CheckBlock(const Statement& statement, const Place& place) {
   CloseBlock();
 }
 
-// True if a block declares a name with another meaning outside; the name must be changed first.
-bool Checker::NeedsBraces(const Statement& block) const {
-  return std::any_of(block.items.begin(), block.items.end(), [this](const StatementPtr& item) {
-    return std::any_of(item->declarators.begin(), item->declarators.end(),
-                       [this](const Declarator& declarator) {
-                         return function_->declarations.at(declarator.name) > 1 ||
-                                globals_.Find(declarator.name) != nullptr;
-                       });
-  });
-}
-
 // A jump from outside into the body of a loop, past its condition and first part, or nullptr.
-const Checker::Goto* Checker::JumpInto(const Statement& loop) const {
+const FunctionState::Goto* Checker::JumpInto(const Statement& loop) const {
   std::unordered_set<std::string_view> labels;
   ForEachStatement(*loop.body, [&labels](const Statement& below) {
     if (below.kind == Statement::Kind::kLabel) labels.insert(below.name);
   });
   if (labels.empty()) return nullptr;
-  for (const Goto& jump : function_->gotos) {
+  for (const FunctionState::Goto& jump : context_.function->gotos) {
     const bool inside = jump.range.file == loop.range.file &&
                         jump.range.begin >= loop.range.begin && jump.range.end <= loop.range.end;
     if (!inside && labels.contains(jump.label)) return &jump;
@@ -522,34 +506,34 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
     const DeclaredType type = ResolveType(statement.initial->specifiers);
     CorrectType(statement.initial->specifiers, type, statement.initial->declarators,
                 statement.initial->range);
-    if (type.is_static) failed_ = true;
+    if (type.is_static) context_.statement.failed = true;
     for (const Declarator& declarator : statement.initial->declarators) {
       const Entity* entity = Reopen(declarator, type);
       if (entity == nullptr) entity = Declare(declarator, type, false);
       if (entity == nullptr || entity->invalid || entity->hides) {
-        failed_ = true;
+        context_.statement.failed = true;
       } else if (entity->late) {
-        declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
+        declarations.push_back(fmt::format("{} {};", type.words, context_.Source(declarator.head)));
       }
       if (declarator.initialiser != nullptr) CheckNames(*declarator.initialiser);
     }
   }
   if (statement.value != nullptr) CheckNames(*statement.value);
   if (statement.step != nullptr) CheckNames(*statement.step);
-  lesson_.reset();
+  context_.statement.lesson.reset();
   const Code code = statement.kind == Statement::Kind::kWhile ? Code::kWhileLoop
                     : statement.kind == Statement::Kind::kFor ? Code::kForLoop
                                                               : Code::kDoLoop;
-  Diagnostic& diagnostic = reporter_.Report(code, statement.keyword);
-  if (const Goto* jump = JumpInto(statement)) {
-    failed_ = true;
+  Diagnostic& diagnostic = context_.reporter.Report(code, statement.keyword);
+  if (const FunctionState::Goto* jump = JumpInto(statement)) {
+    context_.statement.failed = true;
     AddNote(diagnostic, jump->range,
             MakeMessage("this jumps into the middle of the loop; move the label '{0}' to the "
                         "beginning of the loop, or after it",
                         "此处跳到循环中间；请把标号 '{0}' 移到循环开头或循环之后", jump->label));
   }
-  if (!failed_ && !uses_flat_array_) {
-    Rewriter rewriter(*this, diagnostic);
+  if (!context_.statement.failed && !context_.statement.uses_flat_array) {
+    Rewriter rewriter(context_, diagnostic);
     for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
     rewriter.Rewrite(statement, place);
   }
@@ -569,7 +553,7 @@ void Checker::CheckCases(const Statement& statement) {
     SourceRange* first = nullptr;
     if (item->kind == Statement::Kind::kCase) {
       CheckNames(*item->value);
-      const std::optional<Constant> value = FoldHere(*item->value);
+      const std::optional<Constant> value = context_.FoldHere(*item->value);
       if (!value || value->is_double) continue;
       first = &seen[value->integer];
     } else if (item->kind == Statement::Kind::kDefault) {
@@ -581,9 +565,9 @@ void Checker::CheckCases(const Statement& statement) {
       *first = item->range;
       continue;
     }
-    std::string_view name = Source(item->range);
+    std::string_view name = context_.Source(item->range);
     name.remove_suffix(1);
-    AddNote(Fail(Code::kRedefinition, item->range, name), *first,
+    AddNote(context_.Fail(Code::kRedefinition, item->range, name), *first,
             MakeMessage("the first one is here", "第一个在此处"));
   }
 }
@@ -593,10 +577,10 @@ void Checker::CheckSwitch(const Statement& statement, const Place& place) {
   CheckNames(*statement.value);
   const bool block = statement.body->kind == Statement::Kind::kBlock;
   if (block) CheckCases(statement);
-  lesson_.reset();
-  Diagnostic& diagnostic = reporter_.Report(Code::kSwitch, statement.keyword);
-  if (!failed_ && !uses_flat_array_ && block) {
-    Rewriter(*this, diagnostic).Rewrite(statement, place);
+  context_.statement.lesson.reset();
+  Diagnostic& diagnostic = context_.reporter.Report(Code::kSwitch, statement.keyword);
+  if (!context_.statement.failed && !context_.statement.uses_flat_array && block) {
+    Rewriter(context_, diagnostic).Rewrite(statement, place);
   }
   Place inside = place;
   inside.top = false;
