@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/trim.h"
-#include "compiler/checker.h"
+#include "compiler/operands.h"
 #include "compiler/rewriter.h"
 
 namespace oncard::compiler {
@@ -89,7 +89,7 @@ std::string NumberText(double value) { return fmt::format("{:g}", value); }
 
 }  // namespace
 
-void Checker::ReportUnknownCall(const Expression& callee) {
+void Operands::ReportUnknownCall(const Expression& callee) {
   const std::string_view name = callee.text;
   if (context_.function_names.contains(name)) {
     context_.Teach(Code::kUserCall, callee.range, name);
@@ -127,7 +127,7 @@ void Checker::ReportUnknownCall(const Expression& callee) {
   }
 }
 
-void Checker::CheckCall(const Expression& call) {
+void Operands::CheckCall(const Expression& call) {
   const Expression& callee = *call.operands[0];
   if (callee.kind != Expression::Kind::kName) {
     CheckNames(call);
@@ -149,7 +149,7 @@ void Checker::CheckCall(const Expression& call) {
   ReportUnknownCall(callee);
 }
 
-void Checker::CheckCommand(const Expression& call, const gtcalls::Command& command) {
+void Operands::CheckCommand(const Expression& call, const gtcalls::Command& command) {
   const size_t given = call.operands.size() - 1;
   const size_t wanted = command.parameters.size();
   if (given > wanted) {
@@ -178,11 +178,12 @@ void Checker::CheckCommand(const Expression& call, const gtcalls::Command& comma
     ReportMissingArguments(call, command);
     return;
   }
-  if (good && !context_.statement.failed && !context_.statement.lesson)
+  if (good && !context_.statement.failed && !context_.statement.lesson) {
     context_.Emit(std::move(instruction));
+  }
 }
 
-void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Command& command) {
+void Operands::ReportMissingArguments(const Expression& call, const gtcalls::Command& command) {
   const size_t given = call.operands.size() - 1;
   const bool good_so_far = !context_.statement.failed && !context_.statement.lesson;
   std::string names;
@@ -233,8 +234,8 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
 
 // A fixed-point number where an integer is required: C would truncate it, and GT_Delay(0.5) would
 // not wait.
-void Checker::ReportFraction(const Expression& argument, const Literal& literal,
-                             std::string_view parameter) {
+void Operands::ReportFraction(const Expression& argument, const Literal& literal,
+                              std::string_view parameter) {
   Diagnostic& diagnostic =
       context_.Fail(Code::kTypeMismatch, argument.range, DescribeType(DataType::kDouble),
                     DescribeType(DataType::kInt), MakeMessage("write a whole number", "请写整数"));
@@ -250,8 +251,8 @@ void Checker::ReportFraction(const Expression& argument, const Literal& literal,
                                   literal.negative && whole > 0 ? "-" : "", whole));
 }
 
-bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
-                         vm::Instruction& instruction) {
+bool Operands::CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
+                          vm::Instruction& instruction) {
   const Parameter& parameter = command.parameters[index];
   const DataType wanted = gtcalls::ProgramType(parameter.type);
   if (argument.kind == Expression::Kind::kUnary && argument.op == "&") {
@@ -307,9 +308,9 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
   return true;
 }
 
-bool Checker::CheckAddress(const Expression& argument, const Expression& call,
-                           const gtcalls::Command& command, size_t index,
-                           vm::Instruction& instruction) {
+bool Operands::CheckAddress(const Expression& argument, const Expression& call,
+                            const gtcalls::Command& command, size_t index,
+                            vm::Instruction& instruction) {
   const Parameter& parameter = command.parameters[index];
   const Message wanted =
       parameter.structure != nullptr

@@ -1,7 +1,7 @@
 // Declarations: macros, variables, functions and their parameters.
 #include <algorithm>
 
-#include "compiler/checker.h"
+#include "compiler/declarations.h"
 #include "compiler/rewriter.h"
 #include "vm/limits.h"
 
@@ -16,7 +16,7 @@ bool IsWordOf(std::string_view word, std::initializer_list<std::string_view> wor
 
 }  // namespace
 
-Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
+Declarations::DeclaredType Declarations::ResolveType(const Specifiers& specifiers) {
   DeclaredType type;
   type.words = context_.Source(specifiers.range);
   std::string spelled;
@@ -82,8 +82,8 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
 
 // Reports a name that is already in use. Locals of inner blocks and locals with the name of a
 // global are renamed, for which their declarator is needed.
-Checker::NameUse Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
-                                          const Declarator* declarator) {
+Declarations::NameUse Declarations::ReportTakenName(std::string_view name, SourceRange range,
+                                                    bool local, const Declarator* declarator) {
   const Entity* same = nullptr;
   if (local && context_.function != nullptr) same = context_.function->locals.Find(name);
   const Entity* global = context_.globals.Find(name);
@@ -124,7 +124,7 @@ Checker::NameUse Checker::ReportTakenName(std::string_view name, SourceRange ran
   return NameUse::kFree;
 }
 
-void Checker::DefineMacro(const Macro& macro) {
+void Declarations::DefineMacro(const Macro& macro) {
   if (ReportTakenName(macro.name, macro.name_range, false, nullptr) != NameUse::kFree) return;
   Entity entity;
   entity.kind = Entity::Kind::kMacro;
@@ -136,13 +136,14 @@ void Checker::DefineMacro(const Macro& macro) {
     TypedOperand operand;
     operand.range = macro.name_range;
     operand.literal = macro.value;
-    Adapt(operand, macro.value.kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt);
+    operands_.Adapt(operand,
+                    macro.value.kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt);
     entity.value.invalid = operand.literal->invalid;
   }
   context_.globals.Add(entity);
 }
 
-bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
+bool Declarations::CheckArraySizes(const Declarator& declarator, Entity& entity) {
   int64_t total = 1;
   for (const ExpressionPtr& size : declarator.sizes) {
     Message what = MakeMessage("missing", "空");
@@ -161,7 +162,7 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
           what = ToMessage(total);
         }
       } else if (size->kind == Expression::Kind::kName && context_.Lookup(size->text) == nullptr) {
-        ReportUndeclared(*size);
+        operands_.ReportUndeclared(*size);
         return false;
       }
     }
@@ -199,7 +200,7 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
   return true;
 }
 
-bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
+bool Declarations::ReserveSlots(const Declarator& declarator, Entity& entity) {
   const int64_t needed = entity.structure != nullptr
                              ? static_cast<int64_t>(entity.structure->members.size())
                              : std::max<int64_t>(1, entity.array_size);
@@ -221,7 +222,7 @@ bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
   return true;
 }
 
-void Checker::AddSymbols(const Entity& entity) {
+void Declarations::AddSymbols(const Entity& entity) {
   std::vector<vm::Symbol>& symbols =
       context_.function != nullptr ? context_.function->out.variables : context_.object.globals;
   if (entity.structure == nullptr) {
@@ -235,7 +236,8 @@ void Checker::AddSymbols(const Entity& entity) {
   }
 }
 
-Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type, bool parameter) {
+Entity* Declarations::Declare(const Declarator& declarator, const DeclaredType& type,
+                              bool parameter) {
   const bool local = context_.function != nullptr;
   Entity entity;
   entity.name = declarator.name;
@@ -275,7 +277,7 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   return &scope.Add(std::move(entity));
 }
 
-void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
+void Declarations::CheckDeclaration(const Statement& statement, const Place& place) {
   if (context_.function != nullptr && context_.function->statements_begun) {
     CheckLateDeclaration(statement, place);
     return;
@@ -295,17 +297,19 @@ void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
   }
 }
 
-void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entity,
-                               const DeclaredType& type) {
+void Declarations::CheckInitialiser(const Declarator& declarator, const Entity* entity,
+                                    const DeclaredType& type) {
   SourceRange value = declarator.range;
   value.begin = declarator.head.end;
   const bool usable = entity != nullptr && !entity->invalid;
   context_.statement.failed = false;
   context_.statement.lesson.reset();
   if (declarator.initialiser->kind == Expression::Kind::kBraces) {
-    for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
+    for (const ExpressionPtr& element : declarator.initialiser->operands) {
+      operands_.CheckNames(*element);
+    }
   } else {
-    CheckNames(*declarator.initialiser);
+    operands_.CheckNames(*declarator.initialiser);
   }
   const bool failed = context_.statement.failed;
   Diagnostic& diagnostic = context_.reporter.Report(Code::kInitialiser, value, declarator.name);
@@ -322,7 +326,7 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
 
 // One fix-it moves all initial values of a function to its first statement, because each may depend
 // on the previous ones.
-void Checker::CorrectInitialValues() {
+void Declarations::CorrectInitialValues() {
   const FunctionState::InitialValues& values = context_.function->initial_values;
   if (values.bearer == nullptr || !values.good) return;
   Rewriter rewriter(context_, *values.bearer);
@@ -335,7 +339,7 @@ void Checker::CorrectInitialValues() {
   rewriter.Finish();
 }
 
-void Checker::OpenName(std::string_view name) {
+void Declarations::OpenName(std::string_view name) {
   const size_t block = context_.function->blocks.size() - 1;
   const auto [open, added] = context_.function->open_names.emplace(name, block);
   if (!added && open->second == block) return;
@@ -346,7 +350,7 @@ void Checker::OpenName(std::string_view name) {
 
 // Loops often declare the same counter again: one declaration at the top is enough for all of them,
 // unless they are nested.
-const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& type) {
+const Entity* Declarations::Reopen(const Declarator& declarator, const DeclaredType& type) {
   const Entity* known = context_.function->locals.Find(declarator.name);
   const bool again = known != nullptr && !context_.function->open_names.contains(declarator.name) &&
                      !known->invalid && !known->hides && known->structure == nullptr &&
@@ -357,7 +361,7 @@ const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& 
   return known;
 }
 
-void Checker::CheckLateDeclaration(const Statement& statement, const Place& place) {
+void Declarations::CheckLateDeclaration(const Statement& statement, const Place& place) {
   const DeclaredType type = ResolveType(statement.specifiers);
   CorrectType(statement.specifiers, type, statement.declarators, statement.range);
   bool all_good = type.valid && !type.is_void && !type.is_static;
@@ -376,9 +380,11 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
     if (declarator.initialiser == nullptr) continue;
     initialised.push_back(&declarator);
     if (declarator.initialiser->kind == Expression::Kind::kBraces) {
-      for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
+      for (const ExpressionPtr& element : declarator.initialiser->operands) {
+        operands_.CheckNames(*element);
+      }
     } else {
-      CheckNames(*declarator.initialiser);
+      operands_.CheckNames(*declarator.initialiser);
     }
   }
   context_.statement.lesson.reset();
@@ -391,7 +397,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
   rewriter.ReplaceDeclaration(statement, initialised, place);
 }
 
-void Checker::CheckParameters(const Function& syntax) {
+void Declarations::CheckParameters(const Function& syntax) {
   const std::vector<ParameterDeclaration>& parameters = syntax.parameters;
   // `f(void)` has no parameters.
   if (parameters.size() == 1 && parameters[0].declarator.name.empty() &&
@@ -438,86 +444,6 @@ void Checker::CheckParameters(const Function& syntax) {
     }
     if (!parameter.declarator.name.empty()) Declare(parameter.declarator, type, true);
   }
-}
-
-void Checker::CheckFunction(const Function& syntax) {
-  FunctionState* const outer = context_.function;
-  context_.function = nullptr;
-  const DeclaredType type = ResolveType(syntax.specifiers);
-  if (KeepsReturns(syntax, type)) CorrectType(syntax.specifiers, type, {}, syntax.header);
-  if (type.structure != nullptr || syntax.pointer) {
-    context_.reporter.Report(
-        Code::kNotAType, syntax.specifiers.range,
-        ToMessage(fmt::format("'{}{}'", context_.Source(syntax.specifiers.range),
-                              syntax.pointer ? "*" : "")),
-        std::string_view("int, double, void"));
-  }
-  if (syntax.prototype) {
-    SourceRange semicolon = syntax.close_brace;
-    AddNote(context_.reporter.Report(Code::kMissingOpenBrace, semicolon, std::string_view("';'")),
-            MakeMessage("functions are not called, so they need no declaration",
-                        "函数不会被调用，因此不需要提前声明"));
-    context_.function = outer;
-    return;
-  }
-  if (ReportTakenName(syntax.name, syntax.name_range, false, nullptr) == NameUse::kFree) {
-    Entity entity;
-    entity.kind = Entity::Kind::kFunction;
-    entity.name = syntax.name;
-    entity.range = syntax.name_range;
-    context_.globals.Add(entity);
-  }
-  ++function_count_;
-  if (function_count_ == vm::kFunctionMax + 1) {
-    context_.reporter.Report(Code::kTooManyFunctions, syntax.name_range, syntax.name,
-                             int64_t{vm::kFunctionMax});
-  }
-
-  FunctionState state;
-  state.syntax = &syntax;
-  state.is_void = type.is_void;
-  state.out.name = syntax.name;
-  state.out.file = context_.files[static_cast<size_t>(syntax.header.file)].IniName();
-  state.out.return_type = type.is_void ? DataType::kVoid : type.type;
-  state.declarations_end = syntax.open_brace;
-  state.declarations_end.begin = syntax.open_brace.end;
-  state.statements_begin = syntax.close_brace;
-  for (const StatementPtr& item : syntax.body) {
-    if (item->kind != Statement::Kind::kDeclaration && item->kind != Statement::Kind::kMacro) {
-      state.statements_begin = item->range;
-      break;
-    }
-  }
-  for (const StatementPtr& item : syntax.body) {
-    ForEachStatement(*item, [&state](const Statement& below) {
-      if (below.kind == Statement::Kind::kGoto) {
-        state.gotos.push_back({below.name, below.name_range});
-      }
-      for (const Declarator& declarator : below.declarators) ++state.declarations[declarator.name];
-    });
-  }
-  for (const ParameterDeclaration& parameter : syntax.parameters) {
-    ++state.declarations[parameter.declarator.name];
-  }
-  context_.function = &state;
-  OpenBlock(nullptr);
-  CheckParameters(syntax);
-  state.places.parameter_slots = state.slots;
-  // The temporaries of rewritten statements are declared after the last declaration.
-  for (const StatementPtr& item : syntax.body) {
-    if (item->kind == Statement::Kind::kMacro) continue;
-    if (item->kind != Statement::Kind::kDeclaration) break;
-    state.declarations_end = item->range;
-    state.declarations_end.begin = item->range.end;
-  }
-  Place place;
-  place.followed = false;
-  CheckBody(syntax.body, place);
-  CorrectInitialValues();
-  ResolveJumps();
-  context_.function = outer;
-  context_.object.functions.push_back(std::move(state.out));
-  context_.places.push_back(std::move(state.places));
 }
 
 }  // namespace oncard::compiler

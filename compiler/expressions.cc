@@ -1,7 +1,7 @@
 // Operands and operations: what one instruction can compute, and diagnostics for the rest.
 #include <algorithm>
 
-#include "compiler/checker.h"
+#include "compiler/operands.h"
 
 namespace oncard::compiler {
 
@@ -42,7 +42,7 @@ Message ConvertAdvice() {
                      "请用单独的语句做强制类型转换");
 }
 
-bool Checker::IsLeaf(const Expression& expression) {
+bool IsLeaf(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kName:
     case Expression::Kind::kLiteral:
@@ -57,7 +57,7 @@ bool Checker::IsLeaf(const Expression& expression) {
 // A name that nobody declares is, in this order: a command without its parentheses, a constant of
 // gts.h, `true` or `false`, a name that is written wrongly, a macro that is missing. Each name is
 // reported once in a function.
-void Checker::ReportUndeclared(const Expression& expression) {
+void Operands::ReportUndeclared(const Expression& expression) {
   const std::string_view name = expression.text;
   context_.statement.failed = true;
   if (context_.skipped_names.contains(name) || undeclared_macros_.contains(name)) return;
@@ -112,7 +112,7 @@ void Checker::ReportUndeclared(const Expression& expression) {
   Replace(diagnostic, expression.range, std::string(nearest.best()));
 }
 
-const Entity* Checker::ResolveName(const Expression& expression) {
+const Entity* Operands::ResolveName(const Expression& expression) {
   const Entity* entity = context_.Lookup(expression.text);
   if (entity == nullptr) {
     ReportUndeclared(expression);
@@ -125,7 +125,7 @@ const Entity* Checker::ResolveName(const Expression& expression) {
   return entity;
 }
 
-std::optional<TypedOperand> Checker::LiteralOperand(const Literal& literal, SourceRange range) {
+std::optional<TypedOperand> Operands::LiteralOperand(const Literal& literal, SourceRange range) {
   TypedOperand operand;
   operand.range = range;
   operand.literal = literal;
@@ -135,7 +135,7 @@ std::optional<TypedOperand> Checker::LiteralOperand(const Literal& literal, Sour
 }
 
 // Only a literal takes the type that its statement needs: 1 beside a double is 1.0.
-bool Checker::Adapt(TypedOperand& operand, DataType type) {
+bool Operands::Adapt(TypedOperand& operand, DataType type) {
   if (!operand.literal) return operand.type == type;
   if (type == DataType::kInt && operand.literal->kind == Literal::Kind::kFixed) return false;
   std::optional<int64_t> raw;
@@ -158,7 +158,7 @@ bool Checker::Adapt(TypedOperand& operand, DataType type) {
   return true;
 }
 
-std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression) {
+std::optional<TypedOperand> Operands::ResolveOperand(const Expression& expression) {
   if (const std::optional<Literal> constant = context_.ConstantOf(expression)) {
     return LiteralOperand(*constant, expression.range);
   }
@@ -197,7 +197,7 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
 }
 
 // A constant index outside the array is an error, however the rest is rewritten.
-bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& index) {
+bool Operands::CheckBounds(const Entity& array, int64_t size, const Expression& index) {
   const std::optional<Constant> value = context_.FoldHere(index);
   if (!value || value->is_double || (value->integer >= 0 && value->integer < size)) return true;
   AddNote(context_.Fail(Code::kIndexOutOfBounds, index.range, value->integer, array.name, size - 1),
@@ -206,7 +206,7 @@ bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& i
 }
 
 // After an incorrect use of a multi-dimensional array, no fix-it is offered for its declaration.
-void Checker::LeaveArray(std::string_view name) {
+void Operands::LeaveArray(std::string_view name) {
   const auto flat = context_.flat_arrays.find(name);
   if (flat == context_.flat_arrays.end()) return;
   flat->second.report->fixits.clear();
@@ -215,7 +215,7 @@ void Checker::LeaveArray(std::string_view name) {
 
 // a[i][j] of a multi-dimensional array: the edits of all uses belong to the diagnostic of its
 // declaration. They leave one index expression, which a later fix-it can simplify.
-void Checker::ResolveManyIndices(const Expression& expression) {
+void Operands::ResolveManyIndices(const Expression& expression) {
   std::vector<const Expression*> levels;
   const Expression* base = &expression;
   for (; base->kind == Expression::Kind::kIndex; base = base->operands[0].get()) {
@@ -266,7 +266,7 @@ void Checker::ResolveManyIndices(const Expression& expression) {
   if (!IsLeaf(last)) InsertAfter(bearer, last.range, ")");
 }
 
-std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) {
+std::optional<TypedOperand> Operands::ResolveIndex(const Expression& expression) {
   const Expression& array = *expression.operands[0];
   const Expression& index = *expression.operands[1];
   if (array.kind == Expression::Kind::kIndex) {
@@ -349,7 +349,7 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
   return operand;
 }
 
-std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression) {
+std::optional<TypedOperand> Operands::ResolveMember(const Expression& expression) {
   const Expression& base = *expression.operands[0];
   if (expression.op == "->") {
     if (base.kind == Expression::Kind::kName) {
@@ -410,7 +410,7 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
 }
 
 // Reports an assignment to a const. Other targets are checked where they are used.
-void Checker::CheckWritable(const Expression& target) {
+void Operands::CheckWritable(const Expression& target) {
   const Entity* entity = context_.Lookup(BaseName(target));
   if (entity == nullptr || !entity->is_const) return;
   AddNote(context_.Fail(Code::kMisuse, target.range, context_.Source(target.range),
@@ -419,7 +419,7 @@ void Checker::CheckWritable(const Expression& target) {
           entity->range, MakeMessage("'{0}' is defined here", "'{0}' 在此定义", entity->name));
 }
 
-std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression) {
+std::optional<TypedOperand> Operands::ResolveTarget(const Expression& expression) {
   const Message wanted = MakeMessage("a variable to assign to", "可赋值的变量");
   const bool failed_before = context_.statement.failed;
   CheckWritable(expression);
@@ -461,12 +461,12 @@ std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression)
   return ResolveOperand(expression);
 }
 
-void Checker::TeachNested(const Expression& expression) {
+void Operands::TeachNested(const Expression& expression) {
   context_.Teach(Code::kNestedExpression, expression.range);
   CheckNames(expression);
 }
 
-std::optional<Operation> Checker::ResolveOperation(const Expression& expression) {
+std::optional<Operation> Operands::ResolveOperation(const Expression& expression) {
   if (IsLeaf(expression) || context_.ConstantOf(expression)) {
     std::optional<TypedOperand> operand = ResolveOperand(expression);
     if (!operand) return std::nullopt;
@@ -502,7 +502,7 @@ std::optional<Operation> Checker::ResolveOperation(const Expression& expression)
   }
 }
 
-std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
+std::optional<Operation> Operands::ResolveBinary(const Expression& expression) {
   const Expression& left = *expression.operands[0];
   const Expression& right = *expression.operands[1];
   const bool simple =
@@ -540,14 +540,14 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   return operation;
 }
 
-std::optional<TypedOperand> Checker::ResolveOnlyOperand(const Expression& operand,
-                                                        const Expression& operation) {
+std::optional<TypedOperand> Operands::ResolveOnlyOperand(const Expression& operand,
+                                                         const Expression& operation) {
   if (IsLeaf(operand) || context_.ConstantOf(operand)) return ResolveOperand(operand);
   TeachNested(operation);
   return std::nullopt;
 }
 
-std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
+std::optional<Operation> Operands::ResolveUnary(const Expression& expression) {
   const Expression& inner = *expression.operands[0];
   const std::string_view op = expression.op;
   const vm::OperatorInfo* info = vm::FindUnaryOperator(op);
@@ -574,7 +574,7 @@ std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
   return operation;
 }
 
-std::optional<Operation> Checker::ResolveCast(const Expression& expression) {
+std::optional<Operation> Operands::ResolveCast(const Expression& expression) {
   const Expression& inner = *expression.operands[0];
   const bool to_double = expression.text == "double";
   if (!to_double && expression.text != "int" && expression.text != "long" &&
@@ -599,7 +599,7 @@ std::optional<Operation> Checker::ResolveCast(const Expression& expression) {
   return operation;
 }
 
-std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression) {
+std::optional<Operation> Operands::ResolveMagnitude(const Expression& expression) {
   const Expression& callee = *expression.operands[0];
   const DataType type = callee.text == "fabs" ? DataType::kDouble : DataType::kInt;
   const size_t count = expression.operands.size() - 1;
@@ -635,7 +635,7 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
 }
 
 // Reports all errors inside an expression that no instruction can compute.
-void Checker::CheckNames(const Expression& expression) {
+void Operands::CheckNames(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kError:
       context_.statement.failed = context_.statement.broken = true;

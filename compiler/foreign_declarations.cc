@@ -3,7 +3,7 @@
 // the meaning of the program; otherwise a note gives the reason why not.
 #include <algorithm>
 
-#include "compiler/checker.h"
+#include "compiler/declarations.h"
 #include "compiler/operators.h"
 #include "vm/limits.h"
 
@@ -180,11 +180,11 @@ bool IsZero(const Expression& value, const std::function<bool(const Expression&)
 
 }  // namespace
 
-const std::vector<StatementPtr>& Checker::ScopeOfNames() const {
+const std::vector<StatementPtr>& Declarations::ScopeOfNames() const {
   return context_.function != nullptr ? context_.function->syntax->body : context_.tree->items;
 }
 
-NameUses Checker::UsesHere(std::string_view name) {
+NameUses Declarations::UsesHere(std::string_view name) {
   if (context_.function != nullptr) return context_.UsesInFunction(name);
   if (!program_uses_) program_uses_.emplace().Add(context_.tree->items);
   return program_uses_->Find(name);
@@ -192,8 +192,8 @@ NameUses Checker::UsesHere(std::string_view name) {
 
 // True if an int gives the same results as a variable of the foreign type, as far as can be
 // determined.
-bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
-                           std::span<const Declarator> declarators) {
+bool Declarations::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
+                                std::span<const Declarator> declarators) {
   if (type.type == DataType::kDouble || type.is_void || type.structure != nullptr) return true;
   const auto longs = std::count_if(specifiers.words.begin(), specifiers.words.end(),
                                    [](const Token* word) { return word->text == "long"; });
@@ -219,7 +219,7 @@ bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& typ
 }
 
 // True if the values that a function of the foreign type returns are the same as ints.
-bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
+bool Declarations::KeepsReturns(const Function& function, const DeclaredType& type) {
   const Range range = RangeOf(function.specifiers);
   if (type.report == nullptr || !range.narrow) return true;
   const IntSearch search(nullptr, range, Scopes(),
@@ -236,14 +236,14 @@ bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
   return false;
 }
 
-const NameScopes& Checker::Scopes() {
+const NameScopes& Declarations::Scopes() {
   if (!scopes_) scopes_.emplace(*context_.tree);
   return *scopes_;
 }
 
 // A global const with a number becomes a macro, any other const a variable.
-bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator> declarators,
-                           SourceRange declaration, bool* as_macros) {
+bool Declarations::CorrectConst(const DeclaredType& type, std::span<const Declarator> declarators,
+                                SourceRange declaration, bool* as_macros) {
   std::string macros;
   bool numbers = !declarators.empty();
   for (const Declarator& declarator : declarators) {
@@ -296,8 +296,8 @@ bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator>
 
 // Offers the language's own types in place of foreign ones. True if the declaration becomes #define
 // lines, which include the values.
-bool Checker::CorrectType(const Specifiers& specifiers, const DeclaredType& type,
-                          std::span<const Declarator> declarators, SourceRange declaration) {
+bool Declarations::CorrectType(const Specifiers& specifiers, const DeclaredType& type,
+                               std::span<const Declarator> declarators, SourceRange declaration) {
   if (type.report == nullptr || !type.valid) return false;
   if (type.is_static && context_.function != nullptr) {
     AddNote(*type.report, MakeMessage("a variable that keeps its value between runs of a function "
@@ -316,8 +316,8 @@ bool Checker::CorrectType(const Specifiers& specifiers, const DeclaredType& type
 }
 
 // Variables start at 0, so only that value can be omitted.
-void Checker::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
-                                       SourceRange value) {
+void Declarations::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
+                                            SourceRange value) {
   const bool zero = IsZero(*declarator.initialiser, [this](const Expression& element) {
     const std::optional<Constant> constant = context_.FoldHere(element);
     return constant && constant->AsDouble() == 0;
@@ -333,7 +333,7 @@ void Checker::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic&
 }
 
 // Renames a name that shadows another one, in the whole block that declares it.
-void Checker::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
+void Declarations::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
   constexpr int kRoomForNumber = 4;
   const std::string_view old = declarator.name;
   const std::string fresh = context_.fresh.Make(

@@ -31,13 +31,13 @@ bool IsStatement(const Statement& statement) {
 void Checker::CheckItem(const Statement& statement) {
   switch (statement.kind) {
     case Statement::Kind::kDeclaration:
-      CheckDeclaration(statement, {});
+      declarations_.CheckDeclaration(statement, {});
       return;
     case Statement::Kind::kFunction:
       CheckFunction(*statement.function);
       return;
     case Statement::Kind::kMacro:
-      DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
+      declarations_.DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
       return;
     case Statement::Kind::kEmpty:
     case Statement::Kind::kError:
@@ -193,7 +193,7 @@ void Checker::CheckStatement(const Statement& statement, const Place& place) {
       EndStatement(statement, place);
       return;
     case Statement::Kind::kDeclaration:
-      CheckDeclaration(statement, place);
+      declarations_.CheckDeclaration(statement, place);
       return;
     case Statement::Kind::kIf:
       CheckIf(statement, place);
@@ -254,7 +254,7 @@ void Checker::CheckStatement(const Statement& statement, const Place& place) {
       return;
     }
     case Statement::Kind::kMacro:
-      DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
+      declarations_.DefineMacro(context_.tree->macros[static_cast<size_t>(statement.macro)]);
       return;
     case Statement::Kind::kStrayBrace:
       return;
@@ -268,36 +268,36 @@ void Checker::CheckExpressionStatement(const Statement& statement) {
       CheckAssignment(value);
       return;
     case Expression::Kind::kCall:
-      CheckCall(value);
+      operands_.CheckCall(value);
       return;
     case Expression::Kind::kCompound:
     case Expression::Kind::kPostfix:
-      CheckNames(value);
-      if (!context_.statement.failed) ResolveTarget(*value.operands[0]);
+      operands_.CheckNames(value);
+      if (!context_.statement.failed) operands_.ResolveTarget(*value.operands[0]);
       return;
     case Expression::Kind::kComma:
-      TeachNested(value);
+      operands_.TeachNested(value);
       return;
     case Expression::Kind::kParen: {
       const Expression* inner = &value;
       while (inner->kind == Expression::Kind::kParen) inner = inner->operands[0].get();
       if (inner->kind == Expression::Kind::kAssign || inner->kind == Expression::Kind::kCall ||
           inner->kind == Expression::Kind::kCompound) {
-        TeachNested(value);
+        operands_.TeachNested(value);
         return;
       }
       break;
     }
     case Expression::Kind::kUnary:
       if (value.op == "++" || value.op == "--") {
-        CheckNames(value);
+        operands_.CheckNames(value);
         return;
       }
       break;
     default:
       break;
   }
-  CheckNames(value);
+  operands_.CheckNames(value);
   if (!context_.statement.failed) {
     context_.statement.lesson.reset();
     context_.Fail(Code::kNoEffect, value.range);
@@ -306,14 +306,14 @@ void Checker::CheckExpressionStatement(const Statement& statement) {
 
 void Checker::CheckAssignment(const Expression& assignment) {
   const Expression& value = *assignment.operands[1];
-  const std::optional<TypedOperand> target = ResolveTarget(*assignment.operands[0]);
-  std::optional<Operation> operation = ResolveOperation(value);
+  const std::optional<TypedOperand> target = operands_.ResolveTarget(*assignment.operands[0]);
+  std::optional<Operation> operation = operands_.ResolveOperation(value);
   if (!target || !operation) return;
   const bool plain_literal = operation->opcode == vm::Opcode::kUnary &&
                              operation->op == static_cast<uint16_t>(vm::UnaryOperator::kCopy) &&
                              operation->operands[0].literal.has_value();
   if (operation->result != target->type) {
-    if (!plain_literal || !Adapt(operation->operands[0], target->type)) {
+    if (!plain_literal || !operands_.Adapt(operation->operands[0], target->type)) {
       context_.Teach(Code::kTypeMismatch, value.range, DescribeType(operation->result),
                      DescribeType(target->type), ConvertAdvice());
       return;
@@ -355,7 +355,7 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
     return;
   }
   if (context_.function->is_void) {
-    CheckNames(value);
+    operands_.CheckNames(value);
     context_.statement.lesson.reset();
     Diagnostic& diagnostic =
         context_.Fail(Code::kReturnValue, value.range, context_.function->syntax->name);
@@ -365,15 +365,15 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
   if (!IsLeaf(value) && !context_.ConstantOf(value)) {
     // Reports what the expression itself is, so that for `return -x;` it is the minus.
     const bool failed_before = context_.statement.failed;
-    ResolveOperation(value);
+    operands_.ResolveOperation(value);
     if (context_.statement.failed == failed_before) {
       context_.Teach(Code::kNestedExpression, value.range);
     }
     return;
   }
-  std::optional<TypedOperand> operand = ResolveOperand(value);
+  std::optional<TypedOperand> operand = operands_.ResolveOperand(value);
   if (!operand) return;
-  if (!Adapt(*operand, wanted)) {
+  if (!operands_.Adapt(*operand, wanted)) {
     context_.Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type),
                    DescribeType(wanted), ConvertAdvice());
     return;
@@ -386,7 +386,7 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
 void Checker::CheckCondition(const Expression& condition, vm::Operand* operand) {
   if (condition.kind == Expression::Kind::kName || condition.kind == Expression::Kind::kMember) {
     if (!context_.ConstantOf(condition)) {
-      const std::optional<TypedOperand> variable = ResolveOperand(condition);
+      const std::optional<TypedOperand> variable = operands_.ResolveOperand(condition);
       if (!variable) {
         context_.statement.failed = true;
         return;
@@ -401,7 +401,7 @@ void Checker::CheckCondition(const Expression& condition, vm::Operand* operand) 
       return;
     }
   }
-  CheckNames(condition);
+  operands_.CheckNames(condition);
   context_.statement.lesson.reset();
   context_.Teach(Code::kCondition, condition.range,
                  ToMessage(fmt::format("'{}'", context_.Source(condition.range))));
@@ -422,7 +422,7 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
     EndStatement(statement, place);
     return;
   }
-  CheckNames(*statement.value);
+  operands_.CheckNames(*statement.value);
   const bool failed = context_.statement.failed;
   context_.statement.lesson.reset();
   Diagnostic* diagnostic = nullptr;
@@ -493,7 +493,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   BeginStatement(statement);
   OpenBlock(&statement);
   if (statement.initial != nullptr && statement.initial->value != nullptr) {
-    CheckNames(*statement.initial->value);
+    operands_.CheckNames(*statement.initial->value);
   }
   Place inside = place;
   inside.top = false;
@@ -503,23 +503,24 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   inside.in_switch = false;
   std::vector<std::string> declarations;
   if (statement.initial != nullptr && statement.initial->kind == Statement::Kind::kDeclaration) {
-    const DeclaredType type = ResolveType(statement.initial->specifiers);
-    CorrectType(statement.initial->specifiers, type, statement.initial->declarators,
-                statement.initial->range);
+    const Declarations::DeclaredType type =
+        declarations_.ResolveType(statement.initial->specifiers);
+    declarations_.CorrectType(statement.initial->specifiers, type, statement.initial->declarators,
+                              statement.initial->range);
     if (type.is_static) context_.statement.failed = true;
     for (const Declarator& declarator : statement.initial->declarators) {
-      const Entity* entity = Reopen(declarator, type);
-      if (entity == nullptr) entity = Declare(declarator, type, false);
+      const Entity* entity = declarations_.Reopen(declarator, type);
+      if (entity == nullptr) entity = declarations_.Declare(declarator, type, false);
       if (entity == nullptr || entity->invalid || entity->hides) {
         context_.statement.failed = true;
       } else if (entity->late) {
         declarations.push_back(fmt::format("{} {};", type.words, context_.Source(declarator.head)));
       }
-      if (declarator.initialiser != nullptr) CheckNames(*declarator.initialiser);
+      if (declarator.initialiser != nullptr) operands_.CheckNames(*declarator.initialiser);
     }
   }
-  if (statement.value != nullptr) CheckNames(*statement.value);
-  if (statement.step != nullptr) CheckNames(*statement.step);
+  if (statement.value != nullptr) operands_.CheckNames(*statement.value);
+  if (statement.step != nullptr) operands_.CheckNames(*statement.step);
   context_.statement.lesson.reset();
   const Code code = statement.kind == Statement::Kind::kWhile ? Code::kWhileLoop
                     : statement.kind == Statement::Kind::kFor ? Code::kForLoop
@@ -552,7 +553,7 @@ void Checker::CheckCases(const Statement& statement) {
   for (const StatementPtr& item : statement.body->items) {
     SourceRange* first = nullptr;
     if (item->kind == Statement::Kind::kCase) {
-      CheckNames(*item->value);
+      operands_.CheckNames(*item->value);
       const std::optional<Constant> value = context_.FoldHere(*item->value);
       if (!value || value->is_double) continue;
       first = &seen[value->integer];
@@ -574,7 +575,7 @@ void Checker::CheckCases(const Statement& statement) {
 
 void Checker::CheckSwitch(const Statement& statement, const Place& place) {
   BeginStatement(statement);
-  CheckNames(*statement.value);
+  operands_.CheckNames(*statement.value);
   const bool block = statement.body->kind == Statement::Kind::kBlock;
   if (block) CheckCases(statement);
   context_.statement.lesson.reset();

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/checker.h"
 #include "compiler/header_types.h"
+#include "compiler/operands.h"
 #include "compiler/parser.hh"
 #include "compiler/tree_walk.h"
 
