@@ -165,6 +165,19 @@ std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coord
                   sweep, counter_clockwise);
 }
 
+std::optional<Segment> MakeArcWithSweep(const Coordinates& start, ArcPlane plane, double first,
+                                        double second, double sweep, bool counter_clockwise) {
+  if (!(first * first + second * second > 0)) return std::nullopt;
+  Coordinates end = start;
+  if (sweep < 2 * kPi) {
+    const SineCosine turn = SineAndCosine(counter_clockwise ? sweep : -sweep);
+    end[plane.first] += first - (turn.cosine * first - turn.sine * second);
+    end[plane.second] += second - (turn.sine * first + turn.cosine * second);
+  }
+  return PlaneArc(start, end, plane, start[plane.first] + first, start[plane.second] + second,
+                  sweep, counter_clockwise);
+}
+
 std::optional<Segment> MakeArcThroughPoint(const Coordinates& start, const Coordinates& end,
                                            const std::array<double, 3>& between) {
   // Relative to the start.

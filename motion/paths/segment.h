@@ -77,6 +77,11 @@ std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coord
                                            bool counter_clockwise,
                                            double tolerance = kArcTolerance);
 
+/// An arc around start + (first, second) in its plane that sweeps an angle in (0, 2 pi], which
+/// gives its end. Empty when the radius is 0.
+std::optional<Segment> MakeArcWithSweep(const Coordinates& start, ArcPlane plane, double first,
+                                        double second, double sweep, bool counter_clockwise);
+
 /// The arc in X, Y, Z from start through `between` to end. Empty if the three points are not on a
 /// circle.
 std::optional<Segment> MakeArcThroughPoint(const Coordinates& start, const Coordinates& end,

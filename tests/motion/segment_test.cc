@@ -74,6 +74,23 @@ TEST(Segment, ArcsAroundACentre) {
   EXPECT_FALSE(MakeArcAroundCentre({100, 0}, {0, 100}, kXyPlane, 0, 0, true).has_value());
 }
 
+TEST(Segment, ArcsOfASweepEndWhereItLeads) {
+  // By hand: the radius is 10 sqrt(2), and 45 degrees + 123 degrees are 168 degrees.
+  const double sweep = 123 * kPi / 180;
+  const auto arc = MakeArcWithSweep({10, 10}, kXyPlane, -10, -10, sweep, true);
+  ASSERT_TRUE(arc.has_value());
+  EXPECT_NEAR(arc->length, 30.359700, 1e-6);
+  ExpectNear(arc->end, {-13.833096, 2.940315}, 1e-6);
+  const auto clockwise = MakeArcWithSweep({0, 10}, kXyPlane, 0, -10, kPi / 2, false);
+  ASSERT_TRUE(clockwise.has_value());
+  ExpectNear(clockwise->end, {10, 0});
+  const auto circle = MakeArcWithSweep({0, 0, 5}, kZxPlane, 3, 4, 2 * kPi, true);
+  ASSERT_TRUE(circle.has_value());
+  EXPECT_EQ(circle->end, circle->start);
+  EXPECT_NEAR(circle->length, 31.415927, 1e-6);
+  EXPECT_FALSE(MakeArcWithSweep({1, 1}, kXyPlane, 0, 0, 1, true).has_value());
+}
+
 TEST(Segment, PlanesAreTakenInCyclicOrder) {
   // A quarter circle counter-clockwise from the first axis of the plane to the second.
   for (const ArcPlane& plane : {kXyPlane, kYzPlane, kZxPlane}) {
