@@ -22,6 +22,8 @@ std::string Elements(const Command& command, const Parameter& parameter, Languag
     text = MakeMessage("one element per axis of the coordinate system", "坐标系每轴一个元素");
   } else if (parameter.per_offset) {
     text = MakeMessage("one element per capture offset", "每个捕获偏置一个元素");
+  } else if (parameter.per_axis) {
+    text = MakeMessage("one element per axis of the card", "控制卡每轴一个元素");
   }
   return text.In(language);
 }

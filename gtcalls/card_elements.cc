@@ -23,14 +23,10 @@ size_t OffsetCount(const Card& card, double encoder) {
 
 }  // namespace
 
-bool DependsOnCard(const Parameter& parameter) {
-  return parameter.per_dimension || parameter.per_offset ||
-         parameter.passing == Passing::kHostMemory;
-}
-
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first) {
   if (parameter.per_dimension) return CrdDimension(card, first);
   if (parameter.per_offset) return OffsetCount(card, first);
+  if (parameter.per_axis) return card.motion.axis_count();
   if (parameter.passing == Passing::kHostMemory) return 1 + card.family.array_elements(card.view());
   return 1;
 }

@@ -15,11 +15,8 @@ namespace oncard::gtcalls {
 /// coordinate system has.
 size_t CrdDimension(const Card& card, double crd);
 
-/// True for a pointer parameter without a count whose elements depend on the state of the card.
-bool DependsOnCard(const Parameter& parameter);
-
-/// Elements behind a pointer parameter without a count: one, or for the parameters of
-/// DependsOnCard() as many as the card has now. `first` is the command's first argument.
+/// Elements behind a pointer parameter without a count: one, or as many as the card has now if it
+/// counts them. `first` is the command's first argument.
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first);
 
 /// Number of cells for one element of a pointer parameter: one, or one per scalar of the structure;

@@ -169,6 +169,8 @@ struct Parameter {
   bool per_dimension = false;
   /// The same: one element per capture offset of the encoder that the first parameter names.
   bool per_offset = false;
+  /// The same: one element per axis of the card.
+  bool per_axis = false;
   /// The number of an axis, profile, encoder, controller or output; a card may have fewer than
   /// `maximum`.
   bool axis_number = false;
@@ -176,6 +178,11 @@ struct Parameter {
   bool encoder_number = false;
   /// The number of consecutive ones, from the first parameter on.
   bool axis_count = false;
+
+  /// True if the number of elements is up to the card.
+  bool CountedByCard() const {
+    return per_dimension || per_offset || per_axis || passing == Passing::kHostMemory;
+  }
 };
 
 inline constexpr int kParameterMax = 13;

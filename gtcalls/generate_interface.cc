@@ -100,6 +100,7 @@ std::string Describe(const Parameter& parameter, const Command& command) {
   if (parameter.array_size > 1) add(fmt::format("array of {}", parameter.array_size));
   if (parameter.per_dimension) add("one per axis of the coordinate system");
   if (parameter.per_offset) add("one per offset of the list");
+  if (parameter.per_axis) add("one per axis of the card");
   if (parameter.passing == Passing::kLent) add("not used by the simulated card");
   if (parameter.nullable) add("may be NULL");
   return text;

@@ -115,6 +115,11 @@ struct Spec {
     changed.parameter.per_dimension = true;
     return changed;
   }
+  constexpr Spec PerAxis() const {
+    Spec changed = *this;
+    changed.parameter.per_axis = true;
+    return changed;
+  }
   constexpr Spec PerOffset() const {
     Spec changed = *this;
     changed.parameter.per_offset = true;

@@ -115,7 +115,7 @@ Error BadPointer(const Parameter& parameter, const void* pointer) {
 /// is out of its range.
 std::optional<size_t> ElementCount(const Command& command, const Parameter& parameter,
                                    const gtcalls::Card* card, const MarshalledCall& call) {
-  if (gtcalls::DependsOnCard(parameter)) {
+  if (parameter.CountedByCard()) {
     return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
   }
   if (parameter.count_parameter < 0) return 1;

@@ -198,8 +198,7 @@ bool ReadCells(const Parameter& parameter, const Json& json, std::vector<double>
     cells->push_back(*value);
   }
   const size_t per_element = gtcalls::CellsPerElement(parameter);
-  const bool several =
-      parameter.count_parameter >= 0 || parameter.per_dimension || parameter.per_offset;
+  const bool several = parameter.count_parameter >= 0 || parameter.CountedByCard();
   return several ? cells->size() % per_element == 0 : cells->size() == per_element;
 }
 

@@ -62,7 +62,7 @@ class Arguments {
   /// The cells behind a pointer.
   size_t CellsOf(const RecordedCall& call, const Parameter& parameter, const gtcalls::Card& card) {
     const size_t per_element = gtcalls::CellsPerElement(parameter);
-    if (gtcalls::DependsOnCard(parameter)) {
+    if (parameter.CountedByCard()) {
       return per_element * gtcalls::ElementsOnCard(parameter, card, call.arguments[0].value);
     }
     if (parameter.count_parameter < 0) return per_element;
