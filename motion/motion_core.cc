@@ -141,7 +141,7 @@ void MotionCore::Reset() {
   state_.compensates = false;
   state_.shapers.Reset();
   drives().Reset();
-  if (state_.spindle) *state_.spindle = {};
+  if (config_.defaults.spindle) state_.spindle.Emplace();
   for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
   for (ExtensionModule& module : state_.modules) {
     module.outputs = 0;

@@ -194,11 +194,8 @@ class MotionCore {
   void SetPvtTable(size_t table, PvtTablePointer content) {
     state_.pvt_tables[table] = std::move(content);
   }
-  /// The value of the analogue output of a spindle, which the card has from then on.
-  void SetSpindle(double value) {
-    if (!state_.spindle) state_.spindle.Emplace();
-    state_.spindle->value = value;
-  }
+  /// The value of the analogue output of a spindle, on a card that has one.
+  void SetSpindle(double value) { state_.spindle->value = value; }
   /// GT_SetAdcFilter.
   void SetAdcFilter(size_t adc, int16_t filter) { state_.adcs[adc].filter = filter; }
   /// Configuration: the axis that an enable output follows; -1: none.

@@ -103,9 +103,9 @@ TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
 }
 
 TEST(MotionReset, TakesTheVoltageFromTheSpindleOfACardThatHasOne) {
-  MotionCore core({});
-  core.Reset();
-  EXPECT_FALSE(core.state().spindle);
+  EXPECT_FALSE(MotionCore({}).state().spindle);
+  MotionCore core({.defaults = {.spindle = true}});
+  ASSERT_TRUE(core.state().spindle);
   core.SetSpindle(32767);
   EXPECT_DOUBLE_EQ(core.state().spindle->Volts(), 10);
   TickTimes(core, 4);
