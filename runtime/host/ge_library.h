@@ -37,4 +37,13 @@ struct WatchedAxis {
 /// GT_GetWatch, whose first argument refers to an array of WatchedAxis.
 int16_t GetWatch(ServiceCall& call);
 
+/// The commands that both libraries execute themselves.
+inline constexpr HostService kGeServices[] = {
+    // command, before_open, function
+    {"GT_Open", true, OpenGeCard},           {"GT_Close", false, CloseCard},
+    {"GT_Reset", false, ResetCard},          {"GT_HardRst", false, ResetCard},
+    {"GT_HookCommand", true, HookCommand},   {"GT_GetCurrentCardNo", true, GetCurrentCard},
+    {"GT_SwitchtoCardNo", true, SelectCard}, {"GT_GetWatch", false, GetWatch},
+};
+
 }  // namespace oncard::runtime

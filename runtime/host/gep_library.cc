@@ -14,19 +14,11 @@ static_assert(sizeof(TAxis) == sizeof(WatchedAxis) &&
               offsetof(TAxis, Voltage) == offsetof(WatchedAxis, voltage) &&
               sizeof(TWatchBuffer) == AXIS_NUM * sizeof(WatchedAxis));
 
-constexpr HostService kServices[] = {
-    // command, before_open, function
-    {"GT_Open", true, OpenGeCard},           {"GT_Close", false, CloseCard},
-    {"GT_Reset", false, ResetCard},          {"GT_HardRst", false, ResetCard},
-    {"GT_HookCommand", true, HookCommand},   {"GT_GetCurrentCardNo", true, GetCurrentCard},
-    {"GT_SwitchtoCardNo", true, SelectCard}, {"GT_GetWatch", false, GetWatch},
-};
-
 }  // namespace
 
 const HostLibrary& Library() {
   static const HostLibrary kLibrary = {.family = gtcalls::GepFamily(),
-                                       .services = kServices,
+                                       .services = kGeServices,
                                        .card_of = GeCardOf,
                                        .host_hears = HostHearsGe,
                                        .tell_host = TellGeHost};

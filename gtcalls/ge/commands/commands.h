@@ -30,6 +30,11 @@ int16_t RefuseAxis(Call& call, size_t axis, CommandCause cause, Message why);
 int16_t CheckDriveOff(Call& call, CommandCause cause);
 int16_t CheckAtRest(Call& call, CommandCause cause);
 
+/// The same while the drive of the axis reports an alarm that counts.
+int16_t CheckNoAlarm(Call& call, CommandCause cause);
+/// Refuses a mask without axes.
+int16_t RefuseEmptyMask(Call& call);
+
 /// True if the card can put out voltages.
 bool HasVoltages(const Card& card);
 /// True if the axis is controlled by a voltage now.

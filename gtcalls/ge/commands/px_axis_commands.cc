@@ -22,17 +22,9 @@ int16_t GT_IndexSns(Call& call) {
 }
 
 int16_t GT_AxisOn(Call& call) {
-  const motion::Axis& axis = call.card.motion.axis(AxisOf(call));
-  if (axis.alarm_on && call.card.motion.InputActive(axis.alarm)) {
-    return RefuseAxis(
-        call, AxisOf(call), kAlarm,
-        MakeMessage("the drive of axis {0} reports an alarm; remove its cause, or call GT_AlarmOff "
-                    "when no drive is connected",
-                    "轴 {0} 的驱动器报警；请排除原因，未接驱动器时可调用 GT_AlarmOff",
-                    call.integer(0)));
-  }
-  EnableDrive(call.card, AxisOf(call));
-  return vm::kOk;
+  const int16_t code = CheckNoAlarm(call, kAlarm);
+  if (code == vm::kOk) EnableDrive(call.card, AxisOf(call));
+  return code;
 }
 
 // --- Status ----------------------------------------------------------------------------------

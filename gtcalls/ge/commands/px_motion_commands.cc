@@ -160,11 +160,7 @@ int16_t GT_Update(Call& call) {
 
 int16_t GT_MltiUpdt(Call& call) {
   const auto mask = static_cast<uint32_t>(call.integer(0));
-  if (mask == 0) {
-    call.cause = kEmptyMask;
-    return call.Refuse(vm::kRefused,
-                       {"the mask is 0; bit 0 is axis 1", "mask 为 0；第 0 位对应轴 1"});
-  }
+  if (mask == 0) return RefuseEmptyMask(call);
   const auto selected = [mask](size_t axis) { return (mask >> axis & 1) != 0; };
   const size_t axes = call.card.motion.axis_count();
   for (size_t axis = 0; axis < axes; ++axis) {

@@ -28,6 +28,23 @@ int16_t CheckAtRest(Call& call, CommandCause cause) {
                   "轴 {0} 正在运动，请等待 GT_GetSts 的第 10 位变为 0", call.integer(0)));
 }
 
+int16_t CheckNoAlarm(Call& call, CommandCause cause) {
+  const motion::Axis& axis = call.card.motion.axis(AxisOf(call));
+  if (!axis.alarm_on || !call.card.motion.InputActive(axis.alarm)) return vm::kOk;
+  return RefuseAxis(
+      call, AxisOf(call), cause,
+      MakeMessage("the drive of axis {0} reports an alarm; remove its cause, or call GT_AlarmOff "
+                  "when no drive is connected",
+                  "轴 {0} 的驱动器报警；请排除原因，未接驱动器时可调用 GT_AlarmOff",
+                  call.integer(0)));
+}
+
+int16_t RefuseEmptyMask(Call& call) {
+  call.cause = kEmptyMask;
+  return call.Refuse(vm::kRefused,
+                     {"the mask is 0; bit 0 is axis 1", "mask 为 0；第 0 位对应轴 1"});
+}
+
 bool HasVoltages(const Card& card) { return card.motion.config().defaults.closed_loop; }
 
 bool IsAnalogue(const Card& card, size_t axis) {
