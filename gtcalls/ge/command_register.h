@@ -17,8 +17,12 @@ enum CommandCause : uint16_t {
   kDriveOn = 1u << 3,      ///< the drive is enabled
   kCaptureBusy = 1u << 5,  ///< the capture is armed, or its event is not cleared
   kModeInUse = 1u << 6,    ///< the mode cannot be changed now
+  kPathState = 1u << 8,    ///< SX: a path command that the list or the motion forbids, or a figure
   kAlarm = 1u << 9,        ///< PX: GT_AxisOn during an alarm
+  kListState = 1u << 9,    ///< SX: the list is open or not, the path moves or has nothing to do
   kInMotion = 1u << 11,    ///< not in motion
+  kNotOnCard = 1u << 14,   ///< SX: not a command of this card
+  kBufferFull = 1u << 15,  ///< SX: send the same command again
 };
 
 /// Why a command was refused: what it has said itself. Otherwise its arguments are wrong, and the

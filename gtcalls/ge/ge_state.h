@@ -7,8 +7,10 @@
 #include <tuple>
 
 #include "gtcalls/ge/limits.h"
+#include "gtcalls/ge/path_state.h"
 #include "gtcalls/ge/watch.h"
 #include "gtcalls/shared/refresh.h"
+#include "motion/common/rare.h"
 
 namespace oncard::gtcalls {
 
@@ -56,8 +58,9 @@ struct GeState {
   std::array<GeAxis, ge::kAxisMax> axes;
   uint16_t command_register = 0;
   ge::Watch watch;
+  motion::Rare<ges::Path> path;  ///< SX
 
-  auto Fields() const { return std::tie(axes, command_register, watch); }
+  auto Fields() const { return std::tie(axes, command_register, watch, path); }
 };
 
 }  // namespace oncard::gtcalls

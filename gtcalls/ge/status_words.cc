@@ -90,3 +90,51 @@ int ModeNumber(motion::ProfileMode mode) {
 }
 
 }  // namespace oncard::gtcalls::gep
+
+namespace oncard::gtcalls::ges {
+namespace {
+
+constexpr uint32_t kAxisMovesBit = 1u << 10;
+constexpr int kPathAxisShift = 12;
+
+// GE manual table 4-5.
+constexpr uint32_t kNoPathBit = 1u << 0;
+constexpr uint32_t kListClosedBit = 1u << 1;
+constexpr uint32_t kNoSegmentBit = 1u << 4;
+constexpr uint32_t kImmediateBit = 1u << 7;
+constexpr uint32_t kHeldBit = 1u << 9;
+constexpr uint32_t kListEmptyBit = 1u << 13;
+
+/// True while a segment is in motion, or about to be.
+bool InSegment(const motion::Crd& crd) {
+  const motion::CrdFifo& fifo = crd.active();
+  const bool waits = crd.run.wait == motion::CrdWait::kDelay;
+  return crd.run.running && !waits &&
+         (fifo.executing || (!fifo.slots.empty() && fifo.slots.front().is_segment));
+}
+
+}  // namespace
+
+uint32_t StatusWord(const CardView& card, size_t axis) {
+  uint32_t word = ge::CommonStatus(card, axis) | static_cast<uint32_t>(axis) << kPathAxisShift;
+  // A path moves all axes, from its first cycle on.
+  const motion::CrdRun& run = card.motion.part<&motion::MotionState::crds>().front().run;
+  if (run.running && run.begin == card.motion.now()) word &= ~kAxisMovesBit;
+  return word;
+}
+
+uint16_t PathStatusWord(const CardView& card) {
+  const motion::Crd& crd = card.motion.part<&motion::MotionState::crds>().front();
+  const Path& path = *card.state<GeState>().path;
+  const bool list_runs = crd.run.running && crd.run.fifo == kListFifo;
+  uint32_t word = 0;
+  if (!crd.run.running) word |= kNoPathBit;
+  if (!path.list.open) word |= kListClosedBit;
+  if (!InSegment(crd)) word |= kNoSegmentBit;
+  if (!path.list.open && !list_runs) word |= kImmediateBit;
+  if (path.held) word |= kHeldBit;
+  if (crd.fifos[kListFifo].idle()) word |= kListEmptyBit;
+  return static_cast<uint16_t>(word);
+}
+
+}  // namespace oncard::gtcalls::ges

@@ -31,3 +31,12 @@ uint16_t ModeRegister(const CardView& card, size_t axis);
 int ModeNumber(motion::ProfileMode mode);
 
 }  // namespace oncard::gtcalls::gep
+
+namespace oncard::gtcalls::ges {
+
+/// The status word of an axis of a path card.
+uint32_t StatusWord(const CardView& card, size_t axis);
+/// The status word of the path (GT_GetCrdSts).
+uint16_t PathStatusWord(const CardView& card);
+
+}  // namespace oncard::gtcalls::ges

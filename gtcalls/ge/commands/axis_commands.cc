@@ -132,11 +132,25 @@ int16_t GT_AxisOff(Call& call) {
 
 namespace {
 
+/// True if the events of an axis are such that it stops a path.
+bool AnyAxisHolds(const Card& card) {
+  constexpr uint32_t kHolding = motion::kAlarmBit | motion::kFollowingErrorBit |
+                                motion::kPositiveLimitBit | motion::kNegativeLimitBit;
+  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
+    if ((card.motion.Conditions(axis) & kHolding) != 0) return true;
+  }
+  return false;
+}
+
 /// Forgets the events whose bits are not kept.
 void ClearEvents(Card& card, size_t axis, uint32_t kept) {
-  card.motion.AxisAt(axis).ClearConditions(ConditionsOf(~kept & kEventBits));
+  uint32_t cleared = ConditionsOf(~kept & kEventBits);
+  if (card.motion.FollowingErrorExceeded(axis)) cleared &= ~motion::kFollowingErrorBit;
+  card.motion.AxisAt(axis).ClearConditions(cleared);
   if ((kept & kCapturedBit) == 0) card.motion.capture().Clear(axis);
-  if ((kept & kRefusedBit) == 0) card.state<GeState>().axes[axis].refused = false;
+  GeState& state = card.state<GeState>();
+  if ((kept & kRefusedBit) == 0) state.axes[axis].refused = false;
+  if (state.path && !AnyAxisHolds(card)) state.path->held = false;
 }
 
 }  // namespace
