@@ -97,6 +97,24 @@ void CrdDriver::DropPlanners() {
   }
 }
 
+void CrdDriver::KeepCoordinates(size_t number, size_t first) {
+  card_.LeaveLanes();
+  CrdFifo& fifo = crd_.fifos[number];
+  const Coordinates position = PositionOf(crd_, card_.profiles());
+  const auto keep = [&](Coordinates& point) {
+    for (size_t i = first; i < point.size(); ++i) point[i] = position[i];
+  };
+  const auto keep_segment = [&](Segment& segment) {
+    keep(segment.start);
+    keep(segment.end);
+    keep(segment.centre);
+  };
+  keep_segment(fifo.current.segment);
+  if (fifo.interruption) keep_segment(fifo.interruption->slot.segment);
+  for (size_t i = 0; i < fifo.slots.size(); ++i) keep_segment(fifo.slots.At(i).segment);
+  keep(fifo.tail);
+}
+
 bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
   CornerAhead corner;
   if (card_.observed() && slot.is_segment && crd_.fifos[fifo].planner) {

@@ -36,6 +36,11 @@ class CrdDriver {
   void SetVelocityMax(size_t coordinate, double velocity) {
     crd_.axis_velocity_max[coordinate] = velocity;
   }
+  /// The same of the path (CrdParameters), and the velocity with which a run begins and ends.
+  void SetPathVelocityMax(double velocity) { crd_.parameters.velocity_max = velocity; }
+  void SetStartVelocity(double velocity) { crd_.start.velocity = velocity; }
+  /// Moves the origin of a coordinate while no path runs and nothing waits in its FIFOs.
+  void SetOrigin(size_t coordinate, double position) { crd_.origin[coordinate] = position; }
   /// These act on the segment that is being executed, too.
   void SetStepMode(bool on);
   void SetOverride(double ratio);
@@ -51,6 +56,12 @@ class CrdDriver {
   void Clear(size_t fifo) { crd_.Clear(fifo); }
   /// The number of future segments (GT_SetUserSegNum).
   void SetUserNumber(size_t fifo, int32_t number) { crd_.fifos[fifo].user_number = number; }
+  /// How fast the joints between the segments of a FIFO are passed that no planner plans.
+  void SetJoints(size_t fifo, JointRule joints) { crd_.fifos[fifo].list.joints = joints; }
+  /// The last segment of a FIFO ends at rest.
+  void RestAfterLast(size_t fifo) { crd_.RestAfterLast(fifo, card_.now()); }
+  /// What waits in a FIFO leaves the coordinates from `first` on where they are now.
+  void KeepCoordinates(size_t fifo, size_t first);
   /// Where the next segment begins.
   void SetTail(size_t fifo, const Coordinates& tail) { crd_.fifos[fifo].Tail() = tail; }
   /// GT_InitLookAhead: slots pass a look-ahead of so many segments, for a corner time in ms and an
@@ -75,7 +86,6 @@ class CrdDriver {
   void OpenList(size_t fifo) { crd_.fifos[fifo].list.open = true; }
   /// Closes it; a run that waits for its data ends.
   void CloseList(size_t fifo);
-  /// One cycle of a run.
   /// One cycle of a run, in the cycle of the core.
   void Advance();
 

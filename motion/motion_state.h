@@ -98,8 +98,8 @@ struct MotionState {
   Rare<BusPart> bus;
   /// Of all axes, if one of them is on.
   Rare<std::array<InputShaper, kAxisMax>> shapers;
-  /// The analogue output of a spindle, beside those of the axes: of cards whose CardDefaults say so.
-  /// No servo controller writes it.
+  /// The analogue output of a spindle, beside those of the axes: of cards whose CardDefaults say
+  /// so. No servo controller writes it.
   Rare<Dac> spindle;
 
   auto Fields() const {

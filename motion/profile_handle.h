@@ -1,9 +1,9 @@
 // A profile of a card, for those who command it: its registers, its start and its stop.
 //
 // Selecting a mode, setting a position and the registers of a mode are for a profile at rest unless
-// the mode says otherwise. No cycle reads the velocity, the target and the parameters of modes Trap,
-// Jog and S, or the decelerations of a stop: they can be set at any time and act with the next start
-// or stop, and the card stays in its lanes. Tested by tests/motion/handles_test.cc.
+// the mode says otherwise. No cycle reads the velocity, the target and the parameters of modes
+// Trap, Jog and S, or the decelerations of a stop: they can be set at any time and act with the
+// next start or stop, and the card stays in its lanes. Tested by tests/motion/handles_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -57,6 +57,7 @@ class ProfileHandle {
   PtMode& pt() const { return core_.Changed().profiles[index_].pt; }
   PvtMode& pvt() const { return core_.Changed().profiles[index_].pvt; }
   GearMode& gear() const { return core_.Changed().profiles[index_].gear; }
+  WheelMode& wheel() const { return core_.Changed().profiles[index_].wheel; }
   FollowMode& follow() const { return core_.Changed().profiles[index_].follow; }
 
  private:
