@@ -1,8 +1,8 @@
 // Internal to gtcalls: the commands of GE cards, one function each, and what they have in common.
-// The families share the functions in `ge`; those in `gep` are for point-to-point cards, which use
-// their own where both exist. As in gtcalls/gts/commands, arguments have passed the checks of the
-// catalogue, and a refused command changes nothing but the command register and the event bit of
-// the axis.
+// The families share the functions in `ge`; those in `gep` are for point-to-point cards, those in
+// `ges` for path cards; both use their own where both exist. As in gtcalls/gts/commands, arguments
+// have passed the checks of the catalogue, and a refused command changes nothing but the command
+// register and the event bit of the axis.
 #pragma once
 
 #include <cstddef>
@@ -64,3 +64,30 @@ int16_t GT_MltiUpdt(Call& call);
 #undef TOPIC
 
 }  // namespace oncard::gtcalls::gep
+
+namespace oncard::gtcalls::ges {
+
+using namespace ge;
+
+int16_t GT_AlarmOn(Call& call);
+int16_t GT_AlarmOff(Call& call);
+int16_t GT_AxisOn(Call& call);
+int16_t GT_AxisOff(Call& call);
+int16_t GT_StepDir(Call& call);
+int16_t GT_StepPulse(Call& call);
+int16_t GT_Update(Call& call);
+int16_t GT_MltiUpdt(Call& call);
+int16_t GT_SetKp(Call& call);
+int16_t GT_SetKi(Call& call);
+int16_t GT_SetKd(Call& call);
+int16_t GT_SetKvff(Call& call);
+int16_t GT_SetKaff(Call& call);
+int16_t GT_SetILmt(Call& call);
+int16_t GT_SetMtrLmt(Call& call);
+int16_t GT_SetMtrBias(Call& call);
+#define COMMAND(number, name, ...) int16_t name(Call& call);
+#include "gtcalls/ge/sx.def"
+#undef COMMAND
+#undef TOPIC
+
+}  // namespace oncard::gtcalls::ges

@@ -125,9 +125,9 @@ void UpdateMotion(Card& card, size_t axis) {
   const motion::ProfileHandle profile = card.motion.ProfileAt(axis);
   const ProfileMode mode = card.motion.profile(axis).mode;
   if (mode == ProfileMode::kSCurve) {
-    profile.SetSCurve({registers.velocity.working, registers.max_acceleration.working,
-                       registers.jerk.working},
-                      registers.position.working);
+    profile.SetSCurve(
+        {registers.velocity.working, registers.max_acceleration.working, registers.jerk.working},
+        registers.position.working);
   } else {
     if (acceleration < motion::kRateMin) return;
     profile.SetStopDecelerations(acceleration, card.motion.profile(axis).abrupt_stop);
