@@ -1,0 +1,28 @@
+// libges: the services of the host library for GE cards for paths. Tested by
+// tests/runtime/ge_host_test.cc.
+#include <cstddef>
+
+#include "ges.h"
+#include "gtcalls/ge/ges_family.h"
+#include "runtime/host/ge_library.h"
+#include "runtime/host/library.h"
+
+namespace oncard::runtime {
+namespace {
+
+static_assert(sizeof(TAxis) == sizeof(WatchedAxis) &&
+              offsetof(TAxis, Voltage) == offsetof(WatchedAxis, voltage) &&
+              sizeof(TWatchBuffer) == AXIS_NUM * sizeof(WatchedAxis));
+
+}  // namespace
+
+const HostLibrary& Library() {
+  static const HostLibrary kLibrary = {.family = gtcalls::GesFamily(),
+                                       .services = kGeServices,
+                                       .card_of = GeCardOf,
+                                       .host_hears = HostHearsGe,
+                                       .tell_host = TellGeHost};
+  return kLibrary;
+}
+
+}  // namespace oncard::runtime
