@@ -124,6 +124,13 @@ constexpr MotionValue kDacValues[] = {
      [](const CardView& card, size_t i) { return card.motion.state().dacs[i].Volts(); }},
 };
 
+constexpr MotionValue kSpindleValues[] = {
+    {"volts", NumberForm::kReal, Unit::kVolt,
+     [](const CardView& card, size_t) {
+       return card.motion.part<&motion::MotionState::spindle>()->Volts();
+     }},
+};
+
 constexpr MotionValue kAdcValues[] = {
     {"", NumberForm::kWhole, Unit::kNone,
      [](const CardView& card, size_t i) -> double { return card.motion.state().adcs[i].Value(); }},
@@ -215,6 +222,11 @@ constexpr std::array kParts = {
     MotionPart{"plant", AxisCount, kPlantValues},
     MotionPart{"step", AxisCount, kStepValues},
     MotionPart{"dac", AxisCount, kDacValues},
+    MotionPart{"spindle", [](const MotionCore&) -> size_t { return 1; }, kSpindleValues,
+               kUnnumbered,
+               [](const MotionCore& core, size_t) {
+                 return static_cast<bool>(core.part<&motion::MotionState::spindle>());
+               }},
     MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
     MotionPart{kHsioPart, [](const MotionCore&) { return motion::kHsioCount; }, kHsioValues, 0},
     MotionPart{"laser", [](const MotionCore&) { return motion::kLaserCount; }, kLaserValues, 0},
@@ -258,7 +270,8 @@ const MotionValue* FindMotionValue(const MotionPart& part, std::string_view name
 }
 
 std::string MotionValueName(const MotionPart& part, int number, std::string_view value) {
-  return fmt::format("{}{}{}{}", part.name, number, value.empty() ? "" : ".", value);
+  const std::string digits = part.first == kUnnumbered ? "" : std::to_string(number);
+  return fmt::format("{}{}{}{}", part.name, digits, value.empty() ? "" : ".", value);
 }
 
 }  // namespace oncard::runtime

@@ -38,13 +38,16 @@ struct MotionValue {
   std::span<const std::string_view> names = {};
 };
 
+/// MotionPart::first of a part of which a card has one: it has no number.
+inline constexpr int kUnnumbered = -1;
+
 /// A kind of part.
 struct MotionPart {
   std::string_view name;  ///< of one, without its number
   /// How many parts of this kind the card has.
   size_t (*count)(const motion::MotionCore& core) = nullptr;
   std::span<const MotionValue> values;
-  /// The number of the first one, as in commands.
+  /// The number of the first one, as in commands; kUnnumbered if there is only one.
   int first = 1;
   /// Whether the card has the part with an index; if empty, it has all of them.
   bool (*has)(const motion::MotionCore& core, size_t index) = nullptr;
@@ -60,7 +63,7 @@ std::span<const MotionPart> MotionParts();
 const MotionPart* FindMotionPart(std::string_view name);
 /// The part's value of this name, or nullptr.
 const MotionValue* FindMotionValue(const MotionPart& part, std::string_view name);
-/// The full name of a value: `axis1.prfPos`, `dac1`.
+/// The full name of a value: `axis1.prfPos`, `dac1`, `spindle.volts`.
 std::string MotionValueName(const MotionPart& part, int number, std::string_view value);
 
 }  // namespace oncard::runtime

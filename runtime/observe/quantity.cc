@@ -209,6 +209,14 @@ std::optional<PartName> SplitPart(std::string_view name) {
   return PartName{name.substr(0, digits), *number, name.substr(std::min(dot + 1, name.size()))};
 }
 
+// "spindle.volts": of a part of which a card has one.
+std::optional<PartName> SplitUnnumbered(std::string_view name) {
+  const size_t dot = std::min(name.find('.'), name.size());
+  const MotionPart* part = FindMotionPart(name.substr(0, dot));
+  if (part == nullptr || part->first != kUnnumbered) return std::nullopt;
+  return PartName{part->name, kUnnumbered, name.substr(std::min(dot + 1, name.size()))};
+}
+
 Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartName& split,
                                             const MotionPart& part,
                                             const motion::MotionCore& core) {
@@ -219,8 +227,8 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   }
   const auto index = static_cast<size_t>(split.number - part.first);
   if (part.has != nullptr && !part.has(core, index)) {
-    return MakeError(1, "'{0}': this card has no {1}{2}", "“{0}”：此卡没有 {1}{2}", name, part.name,
-                     split.number);
+    return MakeError(1, "'{0}': this card has no {1}", "“{0}”：此卡没有 {1}", name,
+                     MotionValueName(part, split.number, {}));
   }
   const MotionValue* value = FindMotionValue(part, split.value);
   if (value == nullptr && split.value.empty()) {
@@ -293,7 +301,8 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
   if (const auto page = SplitNumbered(indexed->base, "page")) {
     return ResolveLocal(page->number, {page->rest, indexed->index}, machine);
   }
-  const auto part_name = SplitPart(name);
+  const auto unnumbered = SplitUnnumbered(name);
+  const auto part_name = unnumbered ? unnumbered : SplitPart(name);
   if (part_name) {
     if (const MotionPart* part = FindMotionPart(part_name->part)) {
       return ResolveMotion(name, *part_name, *part, controller.motion());

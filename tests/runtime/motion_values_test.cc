@@ -133,6 +133,14 @@ TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
   EXPECT_EQ(Read("adc8"), 0);
 }
 
+TEST_F(MotionValuesTest, KnowASpindleOnlyOnCardsThatHaveOne) {
+  const Controller controller;
+  EXPECT_EQ(ResolveQuantity("spindle.volts", controller).error().message.en,
+            "'spindle.volts': this card has no spindle");
+  state().spindle.Emplace().value = -32767;
+  EXPECT_EQ(Read("spindle.volts"), -10);
+}
+
 TEST(MotionValues, NeedNoProgram) {
   const Controller controller;
   EXPECT_TRUE(ResolveQuantity("axis1.prfPos", controller).ok());
@@ -146,8 +154,9 @@ TEST(MotionValues, NeedNoProgram) {
 TEST(MotionParts, AreDocumented) {
   const std::string page = ReadFile(ONCARD_SOURCE_DIR "/docs/scenarios.md").value();
   for (const MotionPart& part : MotionParts()) {
-    const size_t begin = page.find(fmt::format("| `{}1`", part.name));
-    const size_t other = page.find(fmt::format(" `{}1` |", part.name));
+    const std::string first = MotionValueName(part, part.first, {});
+    const size_t begin = page.find(fmt::format("| `{}`", first));
+    const size_t other = page.find(fmt::format(" `{}` |", first));
     const size_t row = std::min(begin, other);
     ASSERT_NE(row, std::string::npos) << part.name;
     const std::string text = page.substr(row, page.find('\n', row) - row);
