@@ -1,5 +1,5 @@
 // libges: the services of the host library for GE cards for paths. Tested by
-// tests/runtime/ge_host_test.cc.
+// tests/families/ge/ge_family_test.cc.
 #include <cstddef>
 
 #include "ges.h"
