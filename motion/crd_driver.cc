@@ -166,8 +166,10 @@ void CrdDriver::Stop(bool abrupt) {
 
 void CrdDriver::CloseList(size_t fifo) {
   card_.LeaveLanes();
+  const bool ran = crd_.run.running;
   crd_.CloseList(fifo);
-  if (!crd_.run.running) Write();
+  // At rest the profiles may have been placed elsewhere.
+  if (ran && !crd_.run.running) Write();
 }
 
 void CrdDriver::Advance() {

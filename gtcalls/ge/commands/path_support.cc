@@ -230,10 +230,12 @@ void StartPath(Card& card, size_t fifo) {
 
 void StopPath(Card& card, bool emergency) {
   Path& path = PathIn(card);
-  path.list.open = false;
-  if (!path.runs) return;
+  if (path.list.open) {
+    path.list.open = false;
+    DriverOf(card).CloseList(kListFifo);
+  }
+  if (!PathRuns(card)) return NoticePath(card);
   path.commanded = true;
-  DriverOf(card).CloseList(kListFifo);
   DriverOf(card).Stop(emergency);
   NoticePath(card);
 }

@@ -189,6 +189,32 @@ TEST(GeList, StopsAndGoesOnFromTheBreakPoint) {
   EXPECT_EQ(card.Read("GT_GetMtnNm"), 2);
 }
 
+TEST(GeList, IsClosedByAStopAtRest) {
+  PathTestCard card;
+  card.BeginList(10, 1);
+  card.Do("GT_LnXY", {100, 0});
+  card.Do("GT_StpMtn");
+  EXPECT_EQ(card.PathStatus(), 0x0093);
+  card.Do("GT_StrtMtn");
+  card.RunPath();
+  EXPECT_EQ(card.PathStatus(), 0x2093);
+}
+
+TEST(GeList, BeginsWhereTheAxesHaveBeenPlaced) {
+  PathTestCard card;
+  card.SetRates(100, 10);
+  card.Do("GT_LnXY", {1000, 0});
+  card.RunPath();
+  card.Do("GT_StrtList");
+  card.Do("GT_ZeroPos", {1});
+  card.Do("GT_MvXY", {0, 50, 10, 1});
+  card.Do("GT_EndList");
+  EXPECT_THAT(card.Point(), ElementsAre(0, 0, 0));
+  card.Do("GT_StrtMtn");
+  card.RunPath();
+  EXPECT_THAT(card.Point(), ElementsAre(0, 50, 0));
+}
+
 TEST(GeList, StopsDuringTheWayToItsStartAndRepeatsIt) {
   PathTestCard card;
   card.Do("GT_StrtList");
