@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,17 @@ TEST_P(GeHost, MovesAnAxisAndHearsOfItsCalls) {
             "GT_GetPrfPos(1, NULL) = 7, 2\n"
             "1010 ms, position 10000, status 0xB80\n"
             "113 calls\n");
+}
+
+TEST_P(GeHost, RunsAListOfAPathCard) {
+  const ProcessResult host = Exec(std::string("ge_path_") + GetParam());
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "open: 0\n"
+            "no length: 3\n"
+            "path status 0x2093, at (100, 0, 0)\n"
+            "look-ahead: 0\n"
+            "status 0x1A00\n");
 }
 
 TEST(GeCards, AreOpenedOneAfterTheOther) {
@@ -96,6 +108,18 @@ TEST(GeCommands, AreAllImplemented) {
   const ProcessResult doctor = RunOncard({"doctor", "--commands", "--family=gep"}, folder.path());
   EXPECT_THAT(doctor.out, HasSubstr("GT_Update"));
   EXPECT_THAT(doctor.out, testing::Not(HasSubstr("not supported")));
+}
+
+TEST(GeCommands, OfPathCardsLackOnlyWhatNoDocumentDescribes) {
+  const ScratchFolder folder;
+  const ProcessResult doctor = RunOncard({"doctor", "--commands", "--family=ges"}, folder.path());
+  size_t lacking = 0;
+  std::istringstream lines(doctor.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("implemented") == std::string::npos) ++lacking;
+  }
+  // The rows of priority 3 in the list of calls.
+  EXPECT_EQ(lacking, 29u) << doctor.out;
 }
 
 }  // namespace
