@@ -11,6 +11,10 @@ void DriveTrain::Reset() {
   state_.encoders.fill({.external = defaults.encoders_external,
                         .reversed = defaults.encoders_reversed,
                         .wired_reversed = defaults.encoders_reversed});
+  // Auxiliary encoders have no pulse outputs that they could count.
+  for (size_t i = 0; i < kAuxiliaryCount && HasAuxiliary(config_); ++i) {
+    state_.encoders[kAuxiliaryFirst + i].external = true;
+  }
   state_.dacs.fill({});
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.controls[i] = DefaultControl(static_cast<int>(i));

@@ -102,6 +102,14 @@ TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   EXPECT_EQ(core.state().crds[0].abrupt_stop, 50);
 }
 
+TEST(MotionReset, LeavesAuxiliaryEncodersToTheirShafts) {
+  const MotionCore core({.axis_count = 3, .defaults = {.encoders_external = false}});
+  EXPECT_FALSE(core.state().encoders[0].external);
+  for (size_t i = 0; i < kAuxiliaryCount; ++i) {
+    EXPECT_TRUE(core.state().encoders[kAuxiliaryFirst + i].external);
+  }
+}
+
 TEST(MotionReset, TakesTheVoltageFromTheSpindleOfACardThatHasOne) {
   EXPECT_FALSE(MotionCore({}).state().spindle);
   MotionCore core({.defaults = {.spindle = true}});
