@@ -250,6 +250,8 @@ void NoticePath(Card& card) {
   // The run of an open list has no end of its own.
   const bool unfinished = !crd.active().idle() || (is_list && path.list.open);
   path.runs = !ended;
+  // An immediate motion has no break point.
+  if (ended && !is_list) DriverOf(card).Clear(kImmediateFifo);
   if (!crd.run.stopping && !(ended && unfinished)) return;
   if (path.list.open) {
     path.list.open = false;

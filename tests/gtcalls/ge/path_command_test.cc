@@ -110,6 +110,18 @@ TEST(GePath, RefusesWhatCannotBe) {
   card.Do("GT_ArcXYP", {40000, 0, 19999.6, 1});  // up to a pulse
 }
 
+TEST(GePath, LeavesNothingWhenItIsStopped) {
+  PathTestCard card;
+  card.SetRates(10, 1);
+  card.Do("GT_LnXY", {1000, 0});
+  card.Run(20);
+  card.Do("GT_EStpMtn");
+  card.RunPath();
+  EXPECT_TRUE(CrdOf(card.card).fifos[kImmediateFifo].idle());
+  EXPECT_THAT(card.Point("GT_GetBrkPnt"), ElementsAre(0, 0, 0));
+  card.Refuses(1, ge::kListState, "GT_RestoreMtn");
+}
+
 TEST(GePath, ForbidsInMotionWhatTable24Says) {
   PathTestCard card;
   card.SetRates(10, 1);
