@@ -6,35 +6,8 @@
 #include <vector>
 
 namespace oncard::gtcalls::gts {
-namespace {
 
-enum Reason {
-#define REASON(id, en, zh) id,
-#include "gtcalls/gts/unsupported.def"
-};
-
-struct UnsupportedRow {
-  std::string_view command;
-  Reason reason;
-};
-
-constexpr UnsupportedRow kUnsupportedRows[] = {
-#define UNSUPPORTED(name, id) {#name, id},
-#include "gtcalls/gts/unsupported.def"
-};
-
-}  // namespace
-
-const Message* WhyUnsupported(const Command& command) {
-  // Never destroyed: objects of a host may make calls while the process exits.
-  static const auto& reasons = *new const std::vector<Message>{
-#define REASON(id, en, zh) {en, zh},
-#include "gtcalls/gts/unsupported.def"
-  };
-  const auto* row =
-      std::find_if(std::begin(kUnsupportedRows), std::end(kUnsupportedRows),
-                   [&](const UnsupportedRow& r) { return r.command == command.name; });
-  return row == std::end(kUnsupportedRows) ? nullptr : &reasons[row->reason];
-}
+#define FAMILY_UNSUPPORTED "gtcalls/gts/unsupported.def"
+#include "gtcalls/rows/unsupported.inc"
 
 }  // namespace oncard::gtcalls::gts
