@@ -15,4 +15,11 @@ uint16_t CauseOf(const Call& call) {
   return kIllegal;
 }
 
+int16_t WriteCommandRegister(Call& call, int16_t code, uint16_t cause) {
+  if (code != vm::kOk || call.command.name != "GT_GetCmdSts") {
+    call.card.state<GeState>().command_register = cause;
+  }
+  return code;
+}
+
 }  // namespace oncard::gtcalls::ge

@@ -31,4 +31,8 @@ enum CommandCause : uint16_t {
 /// only calls the first "overflow" and the other "illegal").
 uint16_t CauseOf(const Call& call);
 
+/// The register after a command with its code and cause: that of the last one only, which reading
+/// it does not clear. Returns the code.
+int16_t WriteCommandRegister(Call& call, int16_t code, uint16_t cause);
+
 }  // namespace oncard::gtcalls::ge

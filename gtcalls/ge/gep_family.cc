@@ -8,6 +8,7 @@
 
 #include "gtcalls/ge/command_register.h"
 #include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/ge/ge_cards.h"
 #include "gtcalls/ge/gep_catalogue.h"
 #include "gtcalls/ge/gep_rows.h"
 #include "gtcalls/ge/limits.h"
@@ -21,45 +22,13 @@ namespace {
 static_assert(ge::kAxisMax <= motion::kAxisMax && ge::kAdcMax <= motion::kAdcCount);
 static_assert(ge::kPositionMax - ge::kPositionMin <= std::numeric_limits<int32_t>::max());
 
-/// GE manual table 2-1: "communication failed". The manual has no other code for GT_Open.
-constexpr int16_t kNotOpen = -1;
-
-constexpr std::string_view kResetCommands[] = {"GT_Reset", "GT_HardRst"};
-
-/// The cycle in which a motion has ended is the last one: the axis rests where it is.
-constexpr double kAtOnce = std::numeric_limits<double>::infinity();
-
-/// After a reset: GE manual 3.2.2, 6.7.2.1 and chapter 12. A card with pulses only has no motors in
-/// closed loop, whose following error counts.
-constexpr motion::CardDefaults kAnalogue = {.smooth_stop = 1,
-                                            .abrupt_stop = kAtOnce,
-                                            .filter_ticks = 3,
-                                            .alarm_on = true,
-                                            .limits_on = true,
-                                            .encoders_external = true,
-                                            .encoders_reversed = false,
-                                            .closed_loop = true,
-                                            .following_error_limit = ge::kServoLimitMax,
-                                            .following_error_stops = false};
-constexpr motion::CardDefaults kPulses = {
-    .smooth_stop = 1,
-    .abrupt_stop = kAtOnce,
-    .filter_ticks = 3,
-    .alarm_on = false,
-    .limits_on = true,
-    .encoders_external = false,
-    .encoders_reversed = false,
-    .closed_loop = false,
-    .following_error_limit = std::numeric_limits<int64_t>::max(),
-    .following_error_stops = false};
+constexpr motion::CardDefaults kAnalogue = ge::kAnalogueDefaults;
+constexpr motion::CardDefaults kPulses = ge::kPulseDefaults;
 
 constexpr CardType kCardTypes[] = {
 #define CARD_TYPE(name, axes, output) {name, axes, k##output},
 #include "gtcalls/ge/gep_card_types.def"
 };
-
-/// Assumption: the manual names no time. A call of GTS takes as long.
-constexpr int64_t kHostCallUs = 50;
 
 constexpr size_t kCommandCount = 0
 #define COMMAND(...) +1
@@ -75,17 +44,6 @@ constexpr auto kFunctions = [] {
 #include "gtcalls/ge/gep_catalogue.def"
   return functions;
 }();
-
-/// The command register after a command: the causes of the last one only.
-int16_t WriteCommandRegister(Call& call, int16_t code) {
-  uint16_t& command_register = call.card.state<GeState>().command_register;
-  if (code != vm::kOk) {
-    command_register = ge::CauseOf(call);
-  } else if (call.command.name != "GT_GetCmdSts") {
-    command_register = 0;
-  }
-  return code;
-}
 
 /// Assumption: an automatic stop leaves the drive enabled.
 void StopBeyondErrorLimit(const Card& card) {
@@ -118,23 +76,25 @@ const Family& GepFamily() {
       .catalogue = GepCatalogue(),
       .functions = kFunctions,
       .not_supported = vm::kRefused,
-      .not_open = kNotOpen,
-      .open_failed = kNotOpen,
+      .not_open = ge::kNotOpen,
+      .open_failed = ge::kNotOpen,
       .open_command = "GT_Open",
       .close_command = "GT_Close",
-      .reset_commands = kResetCommands,
+      .reset_commands = ge::kResetCommands,
       .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
       .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetVel",
                   .clear_status = "GT_ClrSts",
                   .following_error_limit = "GT_SetPosErr"},
-      .finish = WriteCommandRegister,
+      .finish =
+          [](Call& call, int16_t code) {
+            return ge::WriteCommandRegister(call, code,
+                                            code == vm::kOk ? uint16_t{0} : ge::CauseOf(call));
+          },
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
-      .cost_us = [](const Command& command) -> int64_t {
-        return command.cost == Cost::kNone ? 0 : kHostCallUs;
-      },
+      .cost_us = ge::CostUs,
       .status_word = gep::StatusWord,
       .mode_number = gep::ModeNumber,
       .new_state = [] { return FamilyState(GeState()); },

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string>
 #include <string_view>
 
 #include "gtcalls/ge/command_register.h"
 #include "gtcalls/ge/commands/path_support.h"
+#include "gtcalls/ge/ge_cards.h"
 #include "gtcalls/ge/ges_catalogue.h"
 #include "gtcalls/ge/ges_rows.h"
 #include "gtcalls/ge/ges_unsupported.h"
@@ -17,45 +17,19 @@ namespace oncard::gtcalls {
 namespace ges {
 namespace {
 
-/// GE manual table 2-1: "communication failed". The manual has no other code for GT_Open.
-constexpr int16_t kNotOpen = -1;
+/// The decelerations of a path are set when it begins.
+constexpr motion::CardDefaults WithSpindle(motion::CardDefaults defaults) {
+  defaults.spindle = true;
+  return defaults;
+}
 
-constexpr std::string_view kResetCommands[] = {"GT_Reset", "GT_HardRst"};
-
-/// After a reset: GE manual 3.2.2, 6.7.2.1 and chapter 12. The decelerations of a path are set when
-/// it begins; an axis stops at once.
-constexpr double kAtOnce = std::numeric_limits<double>::infinity();
-constexpr motion::CardDefaults kAnalogue = {.smooth_stop = 1,
-                                            .abrupt_stop = kAtOnce,
-                                            .filter_ticks = 3,
-                                            .alarm_on = true,
-                                            .limits_on = true,
-                                            .encoders_external = true,
-                                            .encoders_reversed = false,
-                                            .closed_loop = true,
-                                            .following_error_limit = ge::kServoLimitMax,
-                                            .following_error_stops = false,
-                                            .spindle = true};
-constexpr motion::CardDefaults kPulses = {
-    .smooth_stop = 1,
-    .abrupt_stop = kAtOnce,
-    .filter_ticks = 3,
-    .alarm_on = false,
-    .limits_on = true,
-    .encoders_external = false,
-    .encoders_reversed = false,
-    .closed_loop = false,
-    .following_error_limit = std::numeric_limits<int64_t>::max(),
-    .following_error_stops = false,
-    .spindle = true};
+constexpr motion::CardDefaults kAnalogue = WithSpindle(ge::kAnalogueDefaults);
+constexpr motion::CardDefaults kPulses = WithSpindle(ge::kPulseDefaults);
 
 constexpr CardType kCardTypes[] = {
 #define CARD_TYPE(name, axes, output) {name, axes, k##output},
 #include "gtcalls/ge/ges_card_types.def"
 };
-
-/// Assumption: the manual names no time. A call of GTS takes as long.
-constexpr int64_t kHostCallUs = 50;
 
 constexpr size_t kCommandCount = 0
 #define COMMAND(...) +1
@@ -80,17 +54,6 @@ uint16_t CauseOf(const Call& call, int16_t code) {
   if (call.cause != 0) return call.cause;
   if (code == vm::kBadParameter) return ge::kIllegal;
   return call.card.family.Executes(call.command) ? 0 : ge::kNotOnCard;
-}
-
-/// The command register after a command: the causes of the last one only.
-int16_t WriteCommandRegister(Call& call, int16_t code) {
-  uint16_t& command_register = call.card.state<GeState>().command_register;
-  if (code != vm::kOk) {
-    command_register = CauseOf(call, code);
-  } else if (call.command.name != "GT_GetCmdSts") {
-    command_register = 0;
-  }
-  return code;
 }
 
 /// A following error stops the whole path; the drive stays enabled (assumption).
@@ -132,11 +95,11 @@ const Family& GesFamily() {
       .catalogue = GesCatalogue(),
       .functions = kFunctions,
       .not_supported = vm::kRefused,
-      .not_open = kNotOpen,
-      .open_failed = kNotOpen,
+      .not_open = ge::kNotOpen,
+      .open_failed = ge::kNotOpen,
       .open_command = "GT_Open",
       .close_command = "GT_Close",
-      .reset_commands = kResetCommands,
+      .reset_commands = ge::kResetCommands,
       .why_unsupported = WhyUnsupported,
       .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {.drive_on = "GT_AxisOn",
@@ -146,12 +109,14 @@ const Family& GesFamily() {
                   .append_segment = "GT_LnXY",
                   .start_path = "GT_StrtMtn",
                   .look_ahead = "GT_InitLookAheadEx"},
-      .finish = WriteCommandRegister,
+      .finish =
+          [](Call& call, int16_t code) {
+            return ge::WriteCommandRegister(call, code,
+                                            code == vm::kOk ? uint16_t{0} : CauseOf(call, code));
+          },
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
-      .cost_us = [](const Command& command) -> int64_t {
-        return command.cost == Cost::kNone ? 0 : kHostCallUs;
-      },
+      .cost_us = ge::CostUs,
       .status_word = ges::StatusWord,
       .mode_number = [](motion::ProfileMode) { return 0; },
       .new_state = [] { return FamilyState(NewState()); },
