@@ -95,6 +95,7 @@ const Family& GepFamily() {
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
       .cost_us = ge::CostUs,
+      .array_elements = ge::SamplesForHost,
       .status_word = gep::StatusWord,
       .mode_number = gep::ModeNumber,
       .new_state = [] { return FamilyState(GeState()); },

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "gtcalls/card.h"
+#include "gtcalls/ge/ge_state.h"
 #include "motion/common/rounding.h"
 #include "motion/common/state_hash.h"
 
@@ -47,6 +48,11 @@ size_t ValuesOf(const WatchConfig& config) {
     for (const WatchedValue value : kWatchedValues) values += (chosen & value) != 0 ? 1u : 0u;
   }
   return values;
+}
+
+size_t SamplesForHost(const CardView& card) {
+  const Watch& watch = card.state<GeState>().watch;
+  return watch.batches.FullBank().empty() ? 0 : watch.size;
 }
 
 void Watch::SetUp(const WatchConfig& chosen, uint16_t batch) {

@@ -38,6 +38,9 @@ using WatchConfig = std::array<uint16_t, kAxisMax>;
 size_t WordsOf(const WatchConfig& config);
 size_t ValuesOf(const WatchConfig& config);
 
+/// The samples that the next GT_GetWatch gives to the host (Family::array_elements).
+size_t SamplesForHost(const CardView& card);
+
 struct Watch {
   WatchConfig config{};
   uint16_t size = 0;     ///< samples of a batch

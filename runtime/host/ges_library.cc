@@ -1,20 +1,10 @@
 // libges: the services of the host library for GE cards for paths. Tested by
 // tests/families/ge/ge_family_test.cc.
-#include <cstddef>
-
-#include "ges.h"
 #include "gtcalls/ge/ges_family.h"
 #include "runtime/host/ge_library.h"
 #include "runtime/host/library.h"
 
 namespace oncard::runtime {
-namespace {
-
-static_assert(sizeof(TAxis) == sizeof(WatchedAxis) &&
-              offsetof(TAxis, Voltage) == offsetof(WatchedAxis, voltage) &&
-              sizeof(TWatchBuffer) == AXIS_NUM * sizeof(WatchedAxis));
-
-}  // namespace
 
 const HostLibrary& Library() {
   static const HostLibrary kLibrary = {.family = gtcalls::GesFamily(),

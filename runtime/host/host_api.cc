@@ -41,7 +41,7 @@ void PassTick(CardSlot& slot) {
 
 /// Executes a command whose arguments have been read. The card is locked.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
-                 std::span<vm::CommandArgument> arguments, Message* reason, bool* acts) {
+                 std::span<vm::CommandArgument> arguments, Message* reason) {
   if (service == nullptr) {
     const int64_t cycle_ns = slot.controller->clock().cycle_ns();
     const int16_t code =
@@ -53,15 +53,13 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
   ServiceCall call{command, CardTable::OfProcess(), slot, arguments, {}};
   const int16_t code = service->function(call);
   *reason = std::move(call.reason);
-  *acts = call.acts;
   return code;
 }
 
-void Record(const LoggedCall& made, bool read, bool service_acts, CardSlot& slot) {
+void Record(const LoggedCall& made, bool read, CardSlot& slot) {
   RecordedFiles files = slot.files ? *std::move(slot.files) : RecordedFiles();
   // Of the library's own commands these change the card.
-  const bool changes =
-      service_acts || LibraryFamily().Resets(made.command) || files.program.has_value();
+  const bool changes = LibraryFamily().Resets(made.command) || files.program.has_value();
   const bool acts = read && (FindHostService(made.command) == nullptr || changes);
   RecordedCall call = RecordCall(made, acts);
   call.program = std::move(files.program);
@@ -87,7 +85,6 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   const auto arguments = std::span(slot.call.arguments).first(host.size());
   slot.files.reset();
   Message reason;
-  bool service_acts = false;
   int16_t code = vm::kOk;
   if (!open && (service == nullptr || !service->before_open)) {
     code = family.not_open;
@@ -101,12 +98,12 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
       code = family.finish(unread, code);
     }
   } else {
-    code = Dispatch(command, service, slot, arguments, &reason, &service_acts);
+    code = Dispatch(command, service, slot, arguments, &reason);
     WriteOutputs(command, slot.call, code);
   }
   const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
   // The opening of the card is the beginning of the record, its closing the end.
-  if (open && slot.recorder != nullptr) Record(made, read.ok(), service_acts, slot);
+  if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
   CallLog* const log = CallLog::Wanted();
   // A code without a reason is an answer.
   const bool refused = code != vm::kOk && !reason.en.empty();

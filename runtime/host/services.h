@@ -24,8 +24,6 @@ struct ServiceCall {
   std::span<vm::CommandArgument> arguments;
   /// Why the call was refused, for the call log; set beside a code other than 0.
   Message reason;
-  /// The card has executed the command, too, as it does when the call is replayed.
-  bool acts = false;
 
   /// The number of the card.
   int card() const { return static_cast<int>(&slot - table.slots.data()); }

@@ -1,5 +1,9 @@
-// Watching values. The host library gives batches to the host (runtime/host/ge_library.cc). Source:
-// GE manual 10.1. Tested by tests/gtcalls/ge/watch_test.cc.
+// Watching values. Source: GE manual 10.1. Tested by tests/gtcalls/ge/watch_test.cc.
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "gtcalls/card_elements.h"
 #include "gtcalls/ge/commands/commands.h"
 
 namespace oncard::gtcalls::ge {
@@ -31,7 +35,6 @@ int16_t GT_StartWatch(Call& call) {
   return vm::kOk;
 }
 
-/// The host library has given the batch to the host.
 int16_t GT_GetWatch(Call& call) {
   Watch& watch = StateOf(call).watch;
   if (!watch.started) {
@@ -39,9 +42,26 @@ int16_t GT_GetWatch(Call& call) {
     return call.Refuse(vm::kRefused, {"nothing is watched, call GT_StartWatch first",
                                       "尚未启动监测，请先调用 GT_StartWatch"});
   }
-  const bool full = !watch.batches.FullBank().empty();
-  call.Set(1, full ? 1 : 0);
-  if (full) watch.batches.FreeBank();
+  HostArrays arrays(call.cells(0), call.command.parameters[0]);
+  constexpr size_t kValues = std::size(kWatchedValues);
+  std::vector<size_t> watched;  // the arrays for the values of a sample, in its order
+  for (size_t array = 0; array < arrays.arrays(); ++array) {
+    if ((watch.config[array / kValues] & kWatchedValues[array % kValues]) == 0) {
+      arrays.LeaveOut(array);
+    } else if (arrays.given(array)) {
+      watched.push_back(array);
+    } else {
+      call.cause = kIllegal;
+      return call.Refuse(vm::kBadParameter, {"buffer has no array for a watched value",
+                                             "buffer 中没有某个监测数据的数组"});
+    }
+  }
+  const std::span<const double> batch = watch.batches.FullBank();
+  for (size_t i = 0; i < batch.size(); ++i) {
+    arrays.Set(watched[i % watched.size()], i / watched.size(), batch[i]);
+  }
+  call.Set(1, batch.empty() ? 0 : 1);
+  if (!batch.empty()) watch.batches.FreeBank();
   return vm::kOk;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "gtcalls/card_elements.h"
 #include "tests/gtcalls/ge/ge_test_card.h"
 #include "tests/motion/change_state.h"
 
@@ -47,6 +48,16 @@ class RandomCalls : public testing::TestWithParam<const char*> {
     return parameter.type == Scalar::kDouble ? value : std::floor(value);
   }
 
+  /// As many as any pointer of the command needs.
+  static size_t CellsOf(const Command& command, const GeTestCard& card) {
+    size_t cells = kAxisMax;
+    for (const Parameter& parameter : command.parameters) {
+      if (parameter.passing != Passing::kHostMemory) continue;
+      cells = ElementsOnCard(parameter, card.card, 0) * CellsPerElement(parameter);
+    }
+    return cells;
+  }
+
   std::mt19937 random_{20260101};
   int card_axes_ = 0;
 };
@@ -63,7 +74,7 @@ TEST_P(RandomCalls, NeverFail) {
     for (const Parameter& parameter : command.parameters) {
       if (parameter.passing == Passing::kValue) values.push_back(ValueOf(parameter));
     }
-    std::vector<double> cells(kAxisMax, static_cast<double>(random_() % 128));
+    std::vector<double> cells(CellsOf(command, card), static_cast<double>(random_() % 128));
     const int16_t code = card.Call(command.name, values, &cells);
     ASSERT_TRUE(code >= -1 && code <= 9 && code != 6 && code != 8) << command.name << ' ' << code;
     // The last velocity of a calculation is code 1, too.

@@ -58,6 +58,44 @@ TEST(GeWatch, LosesSamplesWhileBothBanksAreFull) {
   EXPECT_THAT(watch.batches.FullBank(), IsEmpty());
 }
 
+/// The cells of the arrays of eight axes with as many samples; the host has only one of them.
+constexpr size_t kArrays = 8 * 5;
+constexpr size_t kVelocityOfAxis1 = 2;
+std::vector<double> ArraysOfHost(size_t samples) {
+  std::vector<double> cells((samples + 1) * kArrays);
+  cells[kVelocityOfAxis1] = 1;
+  return cells;
+}
+
+TEST(GeWatch, GivesAFullBatchToTheArraysOfTheHost) {
+  GeTestCard card;
+  ASSERT_EQ(SetWatch(&card, {kWatchPrfVel}, 2), 0);
+  card.Do("GT_StartWatch", {0});
+  card.MoveT(1, 1000, 10, 4);
+  card.Cycle();
+  std::vector<double> cells = ArraysOfHost(0);
+  EXPECT_EQ(card.Call("GT_GetWatch", {}, &cells), 0);
+  EXPECT_EQ(cells[0], 0) << "nothing is available yet";
+  card.Cycle();
+  cells = ArraysOfHost(2);
+  EXPECT_EQ(card.Call("GT_GetWatch", {}, &cells), 0);
+  EXPECT_EQ(cells[0], 1);
+  EXPECT_EQ(cells[kArrays + kVelocityOfAxis1], 1);
+  EXPECT_EQ(cells[2 * kArrays + kVelocityOfAxis1], 2);
+  EXPECT_THAT(card.state().watch.batches.FullBank(), IsEmpty());
+}
+
+TEST(GeWatch, NeedsAnArrayForEachWatchedValue) {
+  GeTestCard card;
+  ASSERT_EQ(SetWatch(&card, {kWatchPrfVel | kWatchPrfPos}, 1), 0);
+  card.Do("GT_StartWatch", {0});
+  card.Cycle();
+  std::vector<double> cells = ArraysOfHost(1);
+  EXPECT_EQ(card.Call("GT_GetWatch", {}, &cells), 7);
+  EXPECT_EQ(card.Cause(), kIllegal);
+  EXPECT_THAT(card.state().watch.batches.FullBank(), ElementsAre(0, 0));
+}
+
 TEST(GeWatch, MustFitABank) {
   GeTestCard card;
   // Five values of eight axes are 72 words.
