@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "bench/measure.h"
+#include "gtcalls/families.h"
+#include "gtcalls/family.h"
 #include "gts.h"
 #include "motion/motion_core.h"
 
@@ -138,6 +140,59 @@ void MeasureShortWays() {
   measure("  and something is changed",
           [](motion::MotionCore& core) { core.AxisAt(0).SwitchAlarm(true); });
   if (sum <= 0) Fail("the axes did not move");
+}
+
+// A line of all axes that none of the measurements runs to its end.
+void BeginLine(motion::MotionCore& core) {
+  motion::CrdParameters parameters = {.velocity_max = 100, .acceleration_max = 1};
+  parameters.dimension = static_cast<int16_t>(core.axis_count());
+  motion::PathSlot slot;
+  motion::Coordinates end{};
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    parameters.coordinates[i] = static_cast<int16_t>(i + 1);
+    end[i] = 1e6;
+  }
+  slot.is_segment = true;
+  slot.segment = *motion::MakeLine({}, end);
+  slot.velocity = 10;
+  slot.acceleration = 1;
+  core.CrdAt(0).SetUp(parameters);
+  if (!core.CrdAt(0).Append(0, slot)) Fail("the line does not fit");
+  core.CrdAt(0).Start(0, false);
+}
+
+void BeginJog(motion::MotionCore& core) {
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    core.ProfileAt(i).SelectMode(motion::ProfileMode::kJog);
+    core.ProfileAt(i).SetVelocity(10);
+    core.ProfileAt(i).Start();
+  }
+}
+
+// The older cards, all of whose axes move: each by itself, or along a line.
+void MeasureOlderCards() {
+  constexpr int64_t kTicks = 200'000;
+  for (const gtcalls::Family* family : gtcalls::Families()) {
+    if (family->HasPrograms()) continue;
+    const bool has_paths = !family->advised.start_path.empty();
+    for (const gtcalls::CardType& type : family->card_types) {
+      motion::MotionConfig config;
+      config.axis_count = type.axis_count;
+      config = family->Configured(config, &type);
+      const double seconds = MeasureCpu([&] {
+        motion::MotionCore core(config);
+        if (has_paths) {
+          BeginLine(core);
+        } else {
+          BeginJog(core);
+        }
+        core.Advance(kTicks);
+        if (!core.profile(0).now.moving) Fail("the axes did not move");
+      });
+      const std::string what = std::string(type.name) + (has_paths ? ", a line" : ", mode V");
+      PrintTicks(what.c_str(), config, kTicks, seconds);
+    }
+  }
 }
 
 // 12 drives on an EtherCAT bus follow jogging axes.
@@ -337,6 +392,7 @@ void BenchMotion() {
   MeasureShortWays();
   MeasureBus(motion::DriveKind::kIdeal, "12 axes, bus");
   MeasureBus(motion::DriveKind::kVelocity, "12 axes, bus, velocity drives");
+  MeasureOlderCards();
   MeasurePath();
   MeasureRelief();
   MeasureCalls();
