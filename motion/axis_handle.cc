@@ -36,7 +36,9 @@ void AxisHandle::ServoOff() const {
 void AxisHandle::RestartDrive() const {
   MotionState& state = core_.Changed();
   // A controller begins at rest, where the axis is.
-  if (core_.readings().InClosedLoop(index_)) Origins(state, core_.config).AlignWithEncoder(index_);
+  if (core_.config.defaults.enabling_aligns && core_.readings().InClosedLoop(index_)) {
+    Origins(state, core_.config).AlignWithEncoder(index_);
+  }
   DriveTrain(state, core_.config).Enable(index_);
 }
 

@@ -19,6 +19,9 @@ struct CardDefaults {
   int64_t following_error_limit = 32767;  ///< pulses
   /// Exceeding it switches the drive off and stops abruptly; false: only the condition is latched.
   bool following_error_stops = true;
+  /// A drive that is enabled in closed loop continues from where its axis is; false: it moves to
+  /// the plan.
+  bool enabling_aligns = true;
   bool spindle = false;  ///< the card has the analogue output of a spindle
 };
 

@@ -92,6 +92,16 @@ TEST(MotionReset, ClosesTheLoopsOfTheCardsThatHaveIt) {
   EXPECT_TRUE(core.InClosedLoop(2));
 }
 
+TEST(MotionDrive, ThatIsEnabledContinuesFromTheAxisOrMovesToThePlan) {
+  for (const bool aligns : {true, false}) {
+    MotionCore core({.defaults = {.closed_loop = true, .enabling_aligns = aligns}});
+    ChangeState(core).plants[0].hand = 2;
+    TickTimes(core, 40);  // 10 ms
+    core.AxisAt(0).ServoOn();
+    EXPECT_EQ(core.profile(0).now.position, aligns ? 20 : 0);
+  }
+}
+
 TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   MotionCore core({.defaults = {.smooth_stop = 2, .abrupt_stop = 50}});
   CrdParameters parameters;
