@@ -116,6 +116,12 @@ std::string_view SpellUnit(Unit unit) {
       return "pulse/ms^2";
     case Unit::kPulsePerMs3:
       return "pulse/ms^3";
+    case Unit::kPulsePerSt:
+      return "pulse/ST";
+    case Unit::kPulsePerSt2:
+      return "pulse/ST^2";
+    case Unit::kPulsePerSt3:
+      return "pulse/ST^3";
     case Unit::kMillimetre:
       return "mm";
     case Unit::kMmPerS:

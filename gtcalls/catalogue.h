@@ -120,6 +120,9 @@ enum class Unit : uint8_t {
   kPulsePerMs,
   kPulsePerMs2,
   kPulsePerMs3,
+  kPulsePerSt,  ///< of a card that counts motion in sample times
+  kPulsePerSt2,
+  kPulsePerSt3,
   kMillimetre,
   kMmPerS,
   kMmPerS2,
