@@ -6,11 +6,12 @@
 #include <variant>
 
 #include "gtcalls/ge/ge_state.h"
+#include "gtcalls/gt400/gt400_state.h"
 #include "gtcalls/gts/gts_state.h"
 
 namespace oncard::gtcalls {
 
 /// One alternative for each kind of state; hashes contain its number.
-using FamilyState = std::variant<GtsState, GeState>;
+using FamilyState = std::variant<GtsState, GeState, Gt400State>;
 
 }  // namespace oncard::gtcalls
