@@ -1,0 +1,16 @@
+#include "gtcalls/gt400/cycle.h"
+
+#include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/registers.h"
+
+namespace oncard::gtcalls::gt400 {
+
+// The order is part of what a program can see. The plans that begin here begin at this instant.
+void AfterTick(Card& card) {
+  NoticeEvents(card);
+  ApplyTakenUpdates(card);
+}
+
+int64_t CyclesBeforeAct(const CardView&) { return 0; }
+
+}  // namespace oncard::gtcalls::gt400
