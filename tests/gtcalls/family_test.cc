@@ -18,7 +18,8 @@ TEST(CardTypes, AreNamedOnceInAllFamilies) {
       CardTypeNames(),
       ElementsAre("GTS-400", "GTS-800", "GTS-1200", "GE-800-PG", "GE-200-PV", "GE-200-PG",
                   "GE-300-PV", "GE-300-PG", "GE-400-PV", "GE-400-PG", "GE-800-PV", "GE-300-SG",
-                  "GE-200-SV", "GE-200-SG", "GE-300-SV", "GE-400-SV", "GE-400-SG"));
+                  "GE-200-SV", "GE-200-SG", "GE-300-SV", "GE-400-SV", "GE-400-SG", "GT-400-SV",
+                  "GT-400-SG", "GT-400-SE", "GT-400-SD", "GT-400-SP"));
 }
 
 TEST(CardTypes, HaveTheseNumbersOfAxes) { EXPECT_THAT(AxisCounts(), ElementsAre(2, 3, 4, 8, 12)); }
@@ -32,7 +33,7 @@ TEST(CardTypes, AreFoundWithTheirFamilyAndNumberOfAxes) {
     int axis_count;
   } cases[] = {{"GTS-400", "gts", 4},   {"GTS-800", "gts", 8},   {"GTS-1200", "gts", 12},
                {"GE-200-PG", "gep", 2}, {"GE-300-PV", "gep", 3}, {"GE-800-PV", "gep", 8},
-               {"GE-300-SG", "ges", 3}, {"GE-400-SV", "ges", 4}};
+               {"GE-300-SG", "ges", 3}, {"GE-400-SV", "ges", 4}, {"GT-400-SV", "gt400", 4}};
   for (const auto& c : cases) {
     const auto card = FindCard(c.name);
     ASSERT_TRUE(card) << c.name;

@@ -1,0 +1,127 @@
+#include "gtcalls/gt400/family.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "gtcalls/gt400/catalogue.h"
+#include "gtcalls/gt400/command_register.h"
+#include "gtcalls/gt400/commands/commands.h"
+#include "gtcalls/gt400/cycle.h"
+#include "gtcalls/gt400/limits.h"
+#include "gtcalls/gt400/rows.h"
+#include "gtcalls/gt400/status_word.h"
+
+namespace oncard::gtcalls {
+namespace gt400 {
+namespace {
+
+// What GT400 commands accept fits into the core. The distance between two positions fits an
+// int32_t.
+static_assert(kAxisMax <= motion::kAxisMax);
+static_assert(int64_t{kPositionMax} - kPositionMin <= std::numeric_limits<int32_t>::max());
+
+/// Table 2-1 of the GT manual: "communication error".
+constexpr int16_t kNotOpen = -1;
+/// What the environment says cannot be used.
+constexpr int16_t kOpenFailed = -6;
+
+constexpr std::string_view kResetCommands[] = {"GT_Reset", "GT_HardRst"};
+
+/// An axis that stops at once rests where it is.
+constexpr double kAtOnce = std::numeric_limits<double>::infinity();
+/// Assumption: inputs have no filter.
+constexpr uint16_t kFilterTicks = 1;
+
+constexpr motion::CardDefaults kAnalogue = {.smooth_stop = 1,
+                                            .abrupt_stop = kAtOnce,
+                                            .filter_ticks = kFilterTicks,
+                                            .alarm_on = true,
+                                            .limits_on = true,
+                                            .encoders_external = true,
+                                            .encoders_reversed = false,
+                                            .closed_loop = true,
+                                            .following_error_limit = kServoMax,
+                                            .following_error_stops = false,
+                                            .enabling_aligns = false};
+/// With pulses only: no motor is in closed loop, whose position error counts.
+constexpr motion::CardDefaults kPulses = [] {
+  motion::CardDefaults defaults = kAnalogue;
+  defaults.closed_loop = false;
+  defaults.following_error_limit = std::numeric_limits<int64_t>::max();
+  return defaults;
+}();
+
+constexpr CardType kCardTypes[] = {
+#define CARD_TYPE(name, axes, output) {name, axes, k##output},
+#include "gtcalls/gt400/card_types.def"
+};
+
+constexpr size_t kCommandCount = 0
+#define COMMAND(...) +1
+#include "gtcalls/gt400/catalogue.def"
+    ;
+
+/// The functions of the commands; the index is the command's number - 1.
+constexpr auto kFunctions = [] {
+  using words::Callers;
+  std::array<CommandFunction, kCommandCount> functions{};
+#define COMMAND(number, name, tier, callers, ...) \
+  if constexpr (Callers::callers != Callers::kLibrary) functions[number - 1u] = gt400::name;
+#include "gtcalls/gt400/catalogue.def"
+  return functions;
+}();
+
+/// The virtual time of a call from the host. Assumption: the manual names none; a call of GTS takes
+/// as long.
+int64_t CostUs(const Command& command) {
+  constexpr int64_t kHostCallUs = 50;
+  return command.cost == Cost::kNone ? 0 : kHostCallUs;
+}
+
+}  // namespace
+}  // namespace gt400
+
+const Family& Gt400Family() {
+  using namespace gt400;  // whose names other families have, too
+  static const Family kFamily = {
+      .name = "gt400",
+      .catalogue = Gt400Catalogue(),
+      .functions = kFunctions,
+      .not_supported = kNotSimulated,
+      .not_open = kNotOpen,
+      .open_failed = kOpenFailed,
+      .open_command = "GT_Open",
+      .close_command = "GT_Close",
+      .reset_commands = gt400::kResetCommands,
+      .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
+      .motion_role = [](const Command&) { return MotionRole::kNone; },
+      .advised = {.drive_on = "GT_AxisOn",
+                  .velocity = "GT_SetVel",
+                  .clear_status = "GT_ClrSts",
+                  .following_error_limit = "GT_SetPosErr",
+                  .append_segment = "GT_LnXY",
+                  .start_path = "GT_StrtMtn"},
+      .finish = WriteCommandRegister,
+      .card_types = gt400::kCardTypes,
+      .default_card = gt400::kCardTypes[0],
+      .cycle_ns = static_cast<int64_t>(kSampleTime * kNsPerUs),
+      .cost_us = gt400::CostUs,
+      .status_word = gt400::StatusWord,
+      .mode_number = gt400::ModeNumber,
+      .new_state = [] { return FamilyState(Gt400State()); },
+      .reset = [](FamilyState& state) { state = Gt400State(); },
+      .forget_program = [](FamilyState&) {},
+      .after_tick = gt400::AfterTick,
+      .before_threads = [](Card&) {},
+      .cycles_before_act = gt400::CyclesBeforeAct,
+      .writes_variables = [](const CardView&) { return false; },
+      .memory_text = [](const FamilyState&) { return std::string(); },
+      .restore_memory = [](std::string_view, std::string_view,
+                           FamilyState&) { return Result<void>(); },
+  };
+  return kFamily;
+}
+
+}  // namespace oncard::gtcalls
