@@ -85,11 +85,13 @@ std::string_view SpellScalar(Scalar scalar) {
 std::string DeclareParameter(const Parameter& parameter) {
   std::string_view type =
       parameter.structure != nullptr ? parameter.structure->name : SpellScalar(parameter.type);
-  if (!parameter.type_name.empty()) type = parameter.type_name;
+  const bool named = !parameter.type_name.empty();
+  if (named) type = parameter.type_name;
   switch (parameter.passing) {
     case Passing::kValue:
     case Passing::kHandler:
-      return fmt::format("{} {}", type, parameter.name);
+    case Passing::kResult:
+      return fmt::format("{}{}{}", type, type.ends_with('*') ? "" : " ", parameter.name);
     case Passing::kText:
       return fmt::format("const char *{}", parameter.name);
     case Passing::kTextOutput:
@@ -100,7 +102,7 @@ std::string DeclareParameter(const Parameter& parameter) {
     case Passing::kHostMemory:
       break;
   }
-  return fmt::format("{} *{}", type, parameter.name);
+  return fmt::format("{} {}{}", type, named ? "" : "*", parameter.name);
 }
 
 std::string_view SpellUnit(Unit unit) {

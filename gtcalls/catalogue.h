@@ -37,8 +37,10 @@ enum class Passing : uint8_t {
   kText,        ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput,  ///< `char**`: receives the address of a text that the library keeps
   kHandler,     ///< a function of the host, which the host library calls
-  kHostMemory   ///< pointer to a structure of pointers to arrays of the host, which the command
+  kHostMemory,  ///< pointer to a structure of pointers to arrays of the host, which the command
                 ///< fills
+  kResult       ///< the last one: no parameter in C, but a function of the host that the command
+                ///< returns in place of its code
 };
 
 /// Reliability of the interface row: A in the manuals or accepted by the vendor's compiler, B in
@@ -147,8 +149,8 @@ enum class Unit : uint8_t {
 struct Parameter {
   std::string_view name;
   Scalar type = Scalar::kShort;
-  /// The name of an enumeration of the header that stands for the type, or of a handler's type;
-  /// empty: the type itself.
+  /// The name in the header of an enumeration that stands for the type, of a handler's type, or of
+  /// the type of a pointer; empty: the type itself.
   std::string_view type_name;
   const Structure* structure = nullptr;  ///< pointer to a structure; `type` is then unused
   Passing passing = Passing::kValue;
@@ -182,6 +184,8 @@ struct Parameter {
   /// The number of consecutive ones, from the first parameter on.
   bool axis_count = false;
 
+  /// True if a call in C has it as an argument.
+  bool IsArgument() const { return passing != Passing::kResult; }
   /// True if the number of elements is up to the card.
   bool CountedByCard() const {
     return per_dimension || per_offset || per_axis || passing == Passing::kHostMemory;

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,17 +71,36 @@ bool HasBasic(const InterfaceForm& form, const Command& command) {
                      [&](const Parameter& parameter) { return IsBasic(form, parameter); });
 }
 
+/// What a command returns in place of its code; nullptr for most commands.
+const Parameter* ResultOf(const Command& command) {
+  if (command.parameters.empty() || command.parameters.back().IsArgument()) return nullptr;
+  return &command.parameters.back();
+}
+
+/// The parameters of its function in C.
+std::span<const Parameter> ArgumentsOf(const Command& command) {
+  return command.parameters.first(command.parameters.size() -
+                                  (ResultOf(command) != nullptr ? 1 : 0));
+}
+
+/// The beginning of the prototype.
+std::string ApiOf(const InterfaceForm& form, const Command& command) {
+  const Parameter* result = ResultOf(command);
+  return result == nullptr ? std::string(form.api)
+                           : fmt::format("{}({})", form.api_returning, result->type_name);
+}
+
 /// The parameters as declarations, or only their names, each after a comma.
 std::string Declarations(const Command& command) {
   std::string text;
-  for (const Parameter& parameter : command.parameters) {
+  for (const Parameter& parameter : ArgumentsOf(command)) {
     text += ", " + DeclareParameter(parameter);
   }
   return text;
 }
 std::string Names(const Command& command) {
   std::string text;
-  for (const Parameter& parameter : command.parameters) Append(&text, ", {}", parameter.name);
+  for (const Parameter& parameter : ArgumentsOf(command)) Append(&text, ", {}", parameter.name);
   return text;
 }
 
@@ -128,19 +148,20 @@ void AppendComment(std::string* out, const Command& command) {
 void AppendPrototype(std::string* out, const InterfaceForm& form, const Command& command) {
   const std::string_view prefix = form.macro_prefix;
   const bool multi_card = !form.multi_card_prefix.empty();
-  std::string line = fmt::format("{} {}(", form.api, command.name);
-  if (command.parameters.empty()) {
+  std::string line = fmt::format("{} {}(", ApiOf(form, command), command.name);
+  const std::span<const Parameter> parameters = ArgumentsOf(command);
+  if (parameters.empty()) {
     *out += line + (multi_card ? fmt::format("{}CARD_ONLY_", prefix) : "void") + ");\n";
     return;
   }
   if (multi_card) Append(&line, "{}CARD_ ", prefix);
-  for (size_t i = 0; i < command.parameters.size(); ++i) {
-    const Parameter& parameter = command.parameters[i];
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
     std::string word = DeclareParameter(parameter);
     if (!parameter.default_text.empty()) {
       Append(&word, " {}DEFAULT_({})", prefix, parameter.default_text);
     }
-    if (i + 1 < command.parameters.size()) {
+    if (i + 1 < parameters.size()) {
       word += ",";
     } else {
       word += HasBasic(form, command)
@@ -282,9 +303,16 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
     } else if (!declarations.empty()) {
       declarations.erase(0, 2);
     }
-    Append(&out, "\n{} {}({}) {{\n  return CallFromHost({}, {}{});\n}}\n", form.api, command.name,
-           declarations, multi_card ? "cardNum" : "oncard::runtime::kSelectedCard", command.number,
-           Names(command));
+    const std::string call = fmt::format("CallFromHost({}, {}{}",
+                                         multi_card ? "cardNum" : "oncard::runtime::kSelectedCard",
+                                         command.number, Names(command));
+    Append(&out, "\n{} {}({}) {{\n", ApiOf(form, command), command.name, declarations);
+    if (const Parameter* result = ResultOf(command); result != nullptr) {
+      Append(&out, "  {} = nullptr;\n  {}, &{});\n  return {};\n}}\n", DeclareParameter(*result),
+             call, result->name, result->name);
+    } else {
+      Append(&out, "  return {});\n}}\n", call);
+    }
   }
   return out;
 }
@@ -523,7 +551,7 @@ std::string_view SpellCallers(const Command& command) {
 void AppendRow(std::string* out, const Command& command) {
   std::string prototype = std::string(command.name) + "(";
   std::string parameters;
-  for (const Parameter& parameter : command.parameters) {
+  for (const Parameter& parameter : ArgumentsOf(command)) {
     if (!prototype.ends_with("(")) prototype += ", ";
     prototype += DeclareParameter(parameter);
     if (!parameter.default_text.empty()) Append(&prototype, " = {}", parameter.default_text);

@@ -45,6 +45,9 @@ struct InterfaceForm {
 
   // Parts that a family need not have.
 
+  /// As `api`, with the type that a command returns in place of its code as the macro's argument.
+  std::string_view api_returning = {};
+
   /// Inline functions for C++ after the prototypes: other spellings of hosts.
   std::string_view overloads = {};
   /// Functions with a card number: they have this prefix. The macro that ends with MULTI_CARD is

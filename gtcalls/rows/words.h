@@ -170,6 +170,17 @@ constexpr Spec Handler(std::string_view type, std::string_view name) {
   spec.parameter.type_name = type;
   return spec;
 }
+/// A function of the host that the command returns in place of its code; after all parameters.
+constexpr Spec Returned(std::string_view type, std::string_view name) {
+  return Handler(type, name).Passed(Passing::kResult);
+}
+/// Memory of the host of as many bytes as the parameter with the name `size` says; the header
+/// declares the type of the pointer.
+constexpr Spec Memory(std::string_view type, std::string_view name, std::string_view size) {
+  Spec spec = UChar(name).Elements(size);
+  spec.parameter.type_name = type;
+  return spec;
+}
 constexpr Spec Struct(const Structure& structure, std::string_view name) {
   Spec spec = Short(name);
   spec.parameter.structure = &structure;

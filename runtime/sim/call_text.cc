@@ -157,6 +157,7 @@ void AppendInputs(const gtcalls::Command& command, std::span<const vm::CommandAr
   *line += command.name;
   *line += '(';
   for (size_t i = 0; i < arguments.size(); ++i) {
+    if (!command.parameters[i].IsArgument()) continue;
     if (i > 0) *line += ", ";
     AppendArgument(command.parameters[i], arguments[i], line);
   }

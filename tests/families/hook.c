@@ -17,6 +17,6 @@ int main(void) {
   TOY_Move(1, &motion);
   TOY_Open(0);
   TOY_Move(1, &motion);
-  TOY_Hook(NULL);
+  if (TOY_Hook(NULL) != Hear || TOY_Hook(NULL) != NULL) printf("not the one before\n");
   return TOY_Close();
 }

@@ -20,5 +20,9 @@ int main(void) {
   printf("%d\n", TOY_Sample(&samples));
   samples.axis[1].position = NULL;
   printf("%d\n", TOY_Sample(&samples));
+  const unsigned char bytes[] = {1, 20, 255};
+  long sum = 0;
+  printf("%d", TOY_Sum(bytes, 3, &sum));
+  printf(" %ld\n", sum);
   return TOY_Close();
 }

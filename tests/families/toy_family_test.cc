@@ -107,8 +107,8 @@ TEST_P(ToyFamily, RefusesTheCardOfAnotherFamily) {
   EXPECT_THAT(host.err, HasSubstr("ONCARD_CARD is 'GTS-800', expected one of TOY-2, TOY-3"));
 }
 
-// Each command but the hook itself is told when its card is free again: the call that is made
-// meanwhile acts, and is not told.
+// A hook returns the function before it. Each command but a hook is told when its card is free
+// again: the call that is made meanwhile acts, and is not told.
 TEST(ToyHook, HearsOfCallsAndMayMakeOthers) {
   const ScratchFolder folder;
   const ProcessResult host =
@@ -126,6 +126,7 @@ TEST(ToyHook, HearsOfCallsAndMayMakeOthers) {
             "0.000 card0 TOY_Open(0) = 0\n"
             "0.050 card0 TOY_Move(2, {velocity=5, acceleration=1}) = 0\n"
             "0.100 card0 TOY_Move(1, {velocity=10, acceleration=1}) = 0\n"
+            "0.100 card0 TOY_Hook(NULL) = 0\n"
             "0.100 card0 TOY_Hook(NULL) = 0\n"
             "0.100 card0 TOY_Close() = 0\n");
 }
@@ -189,10 +190,11 @@ TEST(ToySample, FillsTheArraysOfTheHost) {
   const ProcessResult host =
       RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_sample"}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
-  EXPECT_EQ(host.out, "45 10 0\n35 10 0\n25 10 0\n-1 -1 -1\n0\n7\n");
-  // Which arrays there were is in the record.
+  EXPECT_EQ(host.out, "45 10 0\n35 10 0\n25 10 0\n-1 -1 -1\n0\n7\n0 276\n");
+  // Which arrays there were is in the record, and the bytes that have been read.
   EXPECT_THAT(folder.Read("host.calls"),
-              AllOf(HasSubstr("[[1,1,1,0]]"), HasSubstr("[[1,0,1,0]]"), HasSubstr("[[1,0,0,1]]")));
+              AllOf(HasSubstr("[[1,1,1,0]]"), HasSubstr("[[1,0,1,0]]"), HasSubstr("[[1,0,0,1]]"),
+                    HasSubstr("[[1,20,255],3,true]")));
   const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }

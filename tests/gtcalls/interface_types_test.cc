@@ -62,6 +62,7 @@ constexpr bool Agrees(const Parameter& parameter) {
     case Passing::kOutput:
     case Passing::kLent:
     case Passing::kHostMemory:
+    case Passing::kResult:
       break;
   }
   if (!std::is_pointer_v<T>) return false;

@@ -1,5 +1,8 @@
 // The family: cards of two and of three axes, whose one motion is a jog.
 #include "gtcalls/family.h"
+
+#include <numeric>
+
 #include "gtcalls/card.h"
 #include "gtcalls/card_elements.h"
 #include "motion/profiles/modes.h"
@@ -58,9 +61,15 @@ int16_t Sample(Call& call) {
   return vm::kOk;
 }
 
+int16_t Sum(Call& call) {
+  const std::span<const double> bytes = call.cells(0);
+  call.Set(2, std::accumulate(bytes.begin(), bytes.end(), 0.0));
+  return vm::kOk;
+}
+
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr, nullptr,  Move, nullptr,
-                                          nullptr, SetCycle, Tick, Sample};
+constexpr CommandFunction kFunctions[] = {nullptr,  nullptr, Move,   nullptr, nullptr,
+                                          SetCycle, Tick,    Sample, Sum};
 
 }  // namespace
 

@@ -12,15 +12,17 @@ constexpr std::string_view kHead =
 #define ONCARD_TOY_H_
 
 #ifdef __cplusplus
-#define TOY_API extern "C" __attribute__((visibility("default"))) short
+#define TOY_API_OF_(type) extern "C" __attribute__((visibility("default"))) type
 #define TOY_DEFAULT_(value) = value
 #else
-#define TOY_API __attribute__((visibility("default"))) short
+#define TOY_API_OF_(type) __attribute__((visibility("default"))) type
 #define TOY_DEFAULT_(value)
 #endif
+#define TOY_API TOY_API_OF_(short)
 
 typedef void (*TOY_Handler)(int card);
 typedef void (*TOY_Hearer)(const char* call, short code);
+typedef const void* TOY_Bytes;
 )";
 
 constexpr std::string_view kOverloads =
@@ -44,6 +46,7 @@ const InterfaceForm& ToyInterfaceForm() {
                                       .command_prefix = "TOY_",
                                       .head = kHead,
                                       .topics = kTopics,
+                                      .api_returning = "TOY_API_OF_",
                                       .overloads = kOverloads};
   return kForm;
 }

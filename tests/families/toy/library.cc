@@ -21,7 +21,8 @@ using Hearer = void (*)(const char* call, short code);
 std::atomic<Hearer> hearer = nullptr;
 
 int16_t Hook(ServiceCall& call) {
-  hearer = reinterpret_cast<Hearer>(call.arguments[0].host);
+  *static_cast<Hearer*>(call.arguments[1].host) =
+      hearer.exchange(reinterpret_cast<Hearer>(call.arguments[0].host));
   return vm::kOk;
 }
 
