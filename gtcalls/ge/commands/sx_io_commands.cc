@@ -1,11 +1,10 @@
 // Inputs, outputs and captures that only path cards have. Source: GE manual 7, 9, 10.2, 10.4 and
 // chapter 12; public header. Tested by tests/gtcalls/ge/sx_io_command_test.cc.
 #include "gtcalls/ge/commands/path_support.h"
+#include "gtcalls/shared/io_commands.h"
 
 namespace oncard::gtcalls::ges {
 namespace {
-
-using motion::DoType;
 
 /// Assumption: no document names a version.
 constexpr double kVersion = 100;
@@ -35,16 +34,8 @@ int16_t GT_CaptProb(Call& call) {
   return vm::kOk;
 }
 
-int16_t GT_ExOptBit(Call& call) {
-  const uint32_t bit = 1u << call.integer(0);
-  call.card.motion.digital_io().Write(DoType::kGpo, bit, call.integer(1) != 0 ? bit : 0);
-  return vm::kOk;
-}
-
-int16_t GT_GetExOpt(Call& call) {
-  call.Set(0, call.card.motion.part<&motion::MotionState::io>().Register(DoType::kGpo));
-  return vm::kOk;
-}
+int16_t GT_ExOptBit(Call& call) { return WriteGeneralOutput(call); }
+int16_t GT_GetExOpt(Call& call) { return ReadGeneralOutputs(call); }
 
 /// Assumption: all channels are sampled in each cycle.
 int16_t GT_SetAdcChn(Call&) { return vm::kOk; }
