@@ -33,10 +33,6 @@ int16_t OpenGeCard(ServiceCall& call) {
   return code;
 }
 
-int16_t GetCurrentCard(ServiceCall& call) {
-  return static_cast<int16_t>(call.table.selected.load());
-}
-
 // --- The handler of commands ---------------------------------------------------------------------
 
 namespace {

@@ -15,8 +15,6 @@ int GeCardOf(const gtcalls::Command& command, CardTable& table);
 
 /// GT_Open. The card becomes the current one.
 int16_t OpenGeCard(ServiceCall& call);
-/// GT_GetCurrentCardNo, which returns the number.
-int16_t GetCurrentCard(ServiceCall& call);
 
 /// GT_HookCommand.
 int16_t HookCommand(ServiceCall& call);
@@ -29,7 +27,7 @@ inline constexpr HostService kGeServices[] = {
     // command, before_open, function
     {"GT_Open", true, OpenGeCard},           {"GT_Close", false, CloseCard},
     {"GT_Reset", false, ResetCard},          {"GT_HardRst", false, ResetCard},
-    {"GT_HookCommand", true, HookCommand},   {"GT_GetCurrentCardNo", true, GetCurrentCard},
+    {"GT_HookCommand", true, HookCommand},   {"GT_GetCurrentCardNo", true, GetSelectedCard},
     {"GT_SwitchtoCardNo", true, SelectCard},
 };
 

@@ -135,4 +135,8 @@ int16_t SelectCard(ServiceCall& call) {
   return vm::kOk;
 }
 
+int16_t GetSelectedCard(ServiceCall& call) {
+  return static_cast<int16_t>(call.table.selected.load());
+}
+
 }  // namespace oncard::runtime

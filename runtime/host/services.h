@@ -52,5 +52,7 @@ int16_t CloseCard(ServiceCall& call);
 int16_t ResetCard(ServiceCall& call);
 /// From now on functions without a card number mean the card that the first argument names.
 int16_t SelectCard(ServiceCall& call);
+/// Returns the number of that card.
+int16_t GetSelectedCard(ServiceCall& call);
 
 }  // namespace oncard::runtime
