@@ -1,5 +1,6 @@
 # oncard_family(name EXPORTS pattern ... SOURCES file ...
-#               [HEADER file] [MODULE_HEADER file] [OTHER_HEADERS file ...] [MULTI_CARD] [BASIC_LAYOUTS]
+#               [HEADER file ...] [MODULE_HEADER file] [OTHER_HEADERS file ...]
+#               [MULTI_CARD] [BASIC_LAYOUTS]
 #               [GENERATOR target] [INCLUDE_DIR folder]):
 # all that a family of cards needs beside its catalogue and functions. Makes the targets
 #
@@ -8,12 +9,12 @@
 #   oncard::<name>               lib<name>.so, with which host programs are linked
 #
 # EXPORTS are the names of its functions. SOURCES define its HostLibrary (runtime/host/library.h).
-# HEADER is <name>.h unless it is given. MODULE_HEADER, MULTI_CARD and BASIC_LAYOUTS are the parts
+# HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD and BASIC_LAYOUTS are the parts
 # that its InterfaceForm (gtcalls/interface_form.h) may have; OTHER_HEADERS are copied. GENERATOR
 # knows the family, INCLUDE_DIR receives the headers; without them both are those of the project.
 function(oncard_family name)
-  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS" "GENERATOR;HEADER;INCLUDE_DIR;MODULE_HEADER"
-    "EXPORTS;OTHER_HEADERS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS" "GENERATOR;INCLUDE_DIR;MODULE_HEADER"
+    "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
   if(NOT ARG_GENERATOR)
     set(ARG_GENERATOR generate_interface)
   endif()
@@ -24,9 +25,12 @@ function(oncard_family name)
     set(ARG_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
   endif()
 
-  set(headers ${ARG_INCLUDE_DIR}/${ARG_HEADER})
+  set(headers)
+  foreach(header IN LISTS ARG_HEADER)
+    list(APPEND headers ${ARG_INCLUDE_DIR}/${header})
+    oncard_interface_file(${name} ${ARG_GENERATOR} header ${ARG_INCLUDE_DIR}/${header})
+  endforeach()
   set(parts entry-points structures)
-  oncard_interface_file(${name} ${ARG_GENERATOR} header ${headers})
   if(ARG_MODULE_HEADER)
     list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
     oncard_interface_file(${name} ${ARG_GENERATOR} module-header ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
