@@ -87,7 +87,7 @@ int64_t VirtualTime::Pass(int64_t ns) {
   do {
     now = ns > kEndNs - before ? kEndNs : before + ns;
   } while (!now_ns_.compare_exchange_weak(before, now));
-  if (now < first_deadline_ns_) return now;
+  if (now < first_deadline_ns_ || acting_ == CallingThread()) return now;
 
   std::unique_lock<std::mutex> lock = Enter();
   MarkInterrupted(CallingThread());
@@ -160,21 +160,55 @@ const VirtualTime::Sleeper* VirtualTime::First() const {
 bool VirtualTime::WakeDue() {
   const int64_t now = now_ns_;
   if (now < first_deadline_ns_) return false;
-  const ThreadId own = CallingThread();
   bool any = false;
   for (auto sleeper = sleepers_.begin();
        sleeper != sleepers_.end() && sleeper->deadline_ns <= now;) {
     const Sleeper due = *sleeper++;
     if (due.bed == nullptr) continue;
-    Remove(due.deadline_ns, due.number);
+    WakeOne(due, Woken::kAtDeadline);
     any = true;
-    due.bed->woken = true;
-    if (due.thread == own) continue;
-    due.bed->is_going = true;
-    ++going_;
-    WakeAll(&due.bed->changes);
   }
   return any;
+}
+
+void VirtualTime::WakeOne(const Sleeper& sleeper, Woken how) {
+  Bed* const bed = sleeper.bed;
+  const bool is_own = sleeper.thread == CallingThread();
+  Remove(sleeper.deadline_ns, sleeper.number);
+  bed->woken = true;
+  bed->how = how;
+  if (is_own) return;
+  bed->is_going = true;
+  ++going_;
+  WakeAll(&bed->changes);
+}
+
+void VirtualTime::Wake(const std::atomic<int>& word, bool all) {
+  const std::unique_lock<std::mutex> lock = Enter();
+  // In the order in which they came, whatever their deadlines.
+  for (;;) {
+    const Sleeper* next = nullptr;
+    for (const Sleeper& sleeper : sleepers_) {
+      if (sleeper.bed == nullptr || sleeper.bed->word != &word) continue;
+      if (next == nullptr || sleeper.number < next->number) next = &sleeper;
+    }
+    if (next == nullptr) return;
+    WakeOne(Sleeper(*next), Woken::kByThread);
+    if (!all) return;
+  }
+}
+
+void VirtualTime::WakeFirst() {
+  const std::unique_lock<std::mutex> lock = Enter();
+  const auto first = std::ranges::find_if(sleepers_, [](const Sleeper& sleeper) {
+    return sleeper.bed != nullptr && !sleeper.interrupted;
+  });
+  if (first != sleepers_.end()) WakeOne(Sleeper(*first), Woken::kByThread);
+}
+
+void VirtualTime::ListenTo(WakeUps* source) {
+  const std::unique_lock<std::mutex> lock = Enter();
+  source_ = source;
 }
 
 bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
@@ -197,23 +231,77 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
 
 bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
   if (WakeDue()) return true;
-  const Sleeper* const first = First();
-  if (first == nullptr || first->bed == nullptr || !IsAlone(lock)) return false;
+  const Sleeper* first = First();
+  if (first == nullptr || first->bed == nullptr || acting_ != 0 || !IsAlone(lock)) return false;
+  if (source_ != nullptr) {
+    if (!FollowSource(lock)) return true;
+    first = First();
+  }
+  if (first->deadline_ns == kNeverNs) return GiveUpWaiting();
   AdvanceTo(first->deadline_ns);
   return WakeDue();
 }
 
+bool VirtualTime::FollowSource(std::unique_lock<std::mutex>* lock) {
+  const int64_t visits = visits_;
+  acting_ = CallingThread();
+  bool alone = true;
+  while (alone) {
+    lock->unlock();
+    const int64_t next_ns = source_->NextNs();
+    lock->lock();
+    const Sleeper* const first = First();
+    alone = visits == visits_ && entering_ == 0 && first != nullptr;
+    if (!alone || first->deadline_ns <= next_ns) break;
+    AdvanceTo(next_ns);
+    lock->unlock();
+    source_->Act();
+    lock->lock();
+    alone = visits == visits_ && entering_ == 0;
+  }
+  acting_ = 0;
+  return alone;
+}
+
+bool VirtualTime::GiveUpWaiting() {
+  if (awaiting_input_ > 0) return false;
+  bool any = false;
+  for (auto sleeper = sleepers_.begin(); sleeper != sleepers_.end();) {
+    const Sleeper endless = *sleeper++;
+    if (endless.bed == nullptr || endless.deadline_ns != kNeverNs) continue;
+    WakeOne(endless, Woken::kNever);
+    any = true;
+  }
+  return any;
+}
+
 int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
   Bed bed;
+  return Sleep(deadline_ns, &bed);
+}
+
+VirtualTime::Woken VirtualTime::SleepOn(const std::atomic<int>& word, int value,
+                                        int64_t deadline_ns) {
+  Bed bed;
+  bed.word = &word;
+  bed.value = value;
+  const int64_t left_ns = Sleep(deadline_ns, &bed);
+  return left_ns > 0 && bed.how == Woken::kAtDeadline ? Woken::kByThread : bed.how;
+}
+
+int64_t VirtualTime::Sleep(int64_t deadline_ns, Bed* own_bed) {
+  Bed& bed = *own_bed;
   const WakingSignals wake(&bed.changes);
+  const auto left = [&] { return std::max(deadline_ns - now_ns_, int64_t{0}); };
   std::unique_lock<std::mutex> lock = Enter();
+  if (bed.word != nullptr && *bed.word != bed.value) return left();
   const Sleeper own = {deadline_ns, next_number_++, CallingThread(), &bed};
   Add(own);
   while (!bed.woken) {
     const int seen = bed.changes;
     if (CallScope::HoldsSignal()) {
       Remove(own.deadline_ns, own.number);
-      return std::max(deadline_ns - now_ns_, int64_t{0});
+      return left();
     }
     Jump(&lock);
     if (bed.woken) break;
@@ -227,7 +315,7 @@ int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
     lock = Enter();
   }
   if (bed.is_going && --going_ == 0) TellPassing();
-  return 0;
+  return bed.how == Woken::kAtDeadline ? 0 : left();
 }
 
 VirtualTime::Wait VirtualTime::BeginWait(int64_t deadline_ns) {
@@ -248,7 +336,8 @@ int64_t VirtualTime::NextSliceNs(const Wait& wait) {
   }
   if (now_ns_ >= wait.deadline_ns) return 0;
   if (First()->number != wait.number) return kOtherSliceNs;
-  return IsAlone(&lock) || now_ns_ >= wait.deadline_ns ? 0 : kFirstSliceNs;
+  if (acting_ == 0 && IsAlone(&lock) && (source_ == nullptr || FollowSource(&lock))) return 0;
+  return now_ns_ >= wait.deadline_ns ? 0 : kFirstSliceNs;
 }
 
 void VirtualTime::EndWait(const Wait& wait, bool expired) {
@@ -326,6 +415,7 @@ void VirtualTime::BecomeChild() {
   sleepers_.clear();
   first_deadline_ns_ = INT64_MAX;
   ++changes_;
+  acting_ = 0;
   entering_ = 0;
   going_ = 0;
   passing_ = 0;

@@ -26,6 +26,11 @@
 // Between two checks a handler of a signal may run, for which the wait cannot end. It lets time
 // pass the deadline before it waits for another thread (LetOthersPass).
 //
+// A thread can also wait for another one without a deadline (SleepOn). And what is no thread of the
+// host, such as a card that interrupts it, may wake one: there can be one source of such wake-ups.
+// When every thread waits, time never jumps past the instant at which the source may act; it acts
+// there, and time goes on to its next instant, until a thread has been woken.
+//
 // A host with one thread therefore sees exactly the same times in every run. With several threads,
 // times are the same as long as only one of them runs at a time; threads that run in parallel can
 // race as usual.
@@ -51,6 +56,20 @@
 
 namespace oncard::runtime {
 
+/// What may wake threads although all of them wait. Called with no lock of virtual time.
+class WakeUps {
+ public:
+  WakeUps() = default;
+  WakeUps(const WakeUps&) = delete;
+  WakeUps& operator=(const WakeUps&) = delete;
+  virtual ~WakeUps() = default;
+
+  /// The instant, later than now, at which it may act next; VirtualTime::kNeverNs.
+  virtual int64_t NextNs() = 0;
+  /// The time has come. It may call Wake() and WakeFirst().
+  virtual void Act() = 0;
+};
+
 class VirtualTime {
  public:
   /// WaitingThreads::OthersWait().
@@ -64,6 +83,8 @@ class VirtualTime {
 
   /// The end of virtual time, after 146 years.
   static constexpr int64_t kEndNs = INT64_MAX / 2;
+  /// The deadline of a wait that has none.
+  static constexpr int64_t kNeverNs = INT64_MAX;
 
   explicit VirtualTime(OthersWait others_wait = OthersOfProcessWait)
       : others_wait_(std::move(others_wait)) {}
@@ -80,9 +101,37 @@ class VirtualTime {
   int64_t After(int64_t ns) const;
   /// The calling thread is busy for this duration; returns the time afterwards.
   int64_t Pass(int64_t ns);
-  /// Returns when the time has come, or a signal is held for the thread (call_scope.h): then what
-  /// is left of the sleep, otherwise 0.
+  /// Returns when the time has come, a signal is held for the thread (call_scope.h), or WakeFirst()
+  /// has woken it: then what is left of the sleep, otherwise 0.
   int64_t SleepUntil(int64_t deadline_ns);
+
+  /// How SleepOn() has ended.
+  enum class Woken : uint8_t {
+    kAtDeadline,
+    kByThread,  ///< by Wake() or WakeFirst(), or a signal is held for the thread
+    kNever,     ///< nobody could wake it any more
+  };
+  /// Sleeps while the word has this value, until another thread changes it and calls Wake(), or the
+  /// deadline has come.
+  Woken SleepOn(const std::atomic<int>& word, int value, int64_t deadline_ns);
+  /// Wakes the first thread that sleeps on the word, or all.
+  void Wake(const std::atomic<int>& word, bool all);
+  /// Ends the sleep, before its deadline, of the first thread that is to wake, so that it does
+  /// something else.
+  void WakeFirst();
+  /// From now on asks the source before time jumps. It must exist as long as this object.
+  void ListenTo(WakeUps* source);
+  /// While it exists somebody outside, such as a user at the terminal, may wake a thread.
+  class AwaitingInput {
+   public:
+    explicit AwaitingInput(VirtualTime* time) : time_(time) { ++time_->awaiting_input_; }
+    AwaitingInput(const AwaitingInput&) = delete;
+    AwaitingInput& operator=(const AwaitingInput&) = delete;
+    ~AwaitingInput() { --time_->awaiting_input_; }
+
+   private:
+    VirtualTime* time_;
+  };
 
   /// The calling thread begins to wait for something until a deadline.
   Wait BeginWait(int64_t deadline_ns);
@@ -105,8 +154,12 @@ class VirtualTime {
   /// What a sleeping thread waits for, on its stack.
   struct Bed {
     std::atomic<int> changes = 0;  ///< a futex
-    bool woken = false;            ///< guarded by mutex_, as is the next
-    bool is_going = false;         ///< counted in going_
+    // Guarded by mutex_.
+    const std::atomic<int>* word = nullptr;  ///< SleepOn(), as is the next
+    int value = 0;
+    bool woken = false;
+    bool is_going = false;  ///< counted in going_
+    Woken how = Woken::kAtDeadline;
   };
   /// The time to wake, and the order of arrival among equal times.
   struct Sleeper {
@@ -131,9 +184,20 @@ class VirtualTime {
   /// The first whose thread does not do something else in a handler; nullptr if there is none.
   const Sleeper* First() const;
   void AdvanceTo(int64_t ns);
+  /// Sleeps until the bed's owner is woken; returns what is left until the deadline if that is
+  /// before it.
+  int64_t Sleep(int64_t deadline_ns, Bed* bed);
+  /// Takes the sleeper out of its bed. A thread other than the calling one counts as going until it
+  /// runs.
+  void WakeOne(const Sleeper& sleeper, Woken how);
   /// Lets time jump to the first sleeper and wakes those that are due, if every other thread waits;
   /// the first in slices finds that out itself. True if someone was woken. Unlocks in between.
   bool Jump(std::unique_lock<std::mutex>* lock);
+  /// Every thread waits: lets time go on as long as the source acts before the first deadline.
+  /// False if a thread was woken or came in meanwhile. Unlocks in between.
+  bool FollowSource(std::unique_lock<std::mutex>* lock);
+  /// Ends the waits that have no deadline; false if there is none.
+  bool GiveUpWaiting();
   /// Wakes the sleepers whose moment has come; true if there was one.
   bool WakeDue();
   /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
@@ -161,9 +225,12 @@ class VirtualTime {
   pid_t helped_process_ = 0;   // the process whose helper runs
   pthread_t helper_{};
   bool helper_rests_ = false;
+  WakeUps* source_ = nullptr;
+  std::atomic<ThreadId> acting_ = 0;  // follows the source: nobody else lets time jump
   bool ends_ = false;
   std::atomic<int> helper_calls_ = 0;  // a futex for the helper that rests
-  std::atomic<int> entering_ = 0;      // threads that wait for the lock in Enter()
+  std::atomic<int> awaiting_input_ = 0;
+  std::atomic<int> entering_ = 0;  // threads that wait for the lock in Enter()
   std::atomic<int64_t> first_deadline_ns_ = INT64_MAX;
   std::atomic<int64_t> now_ns_ = 0;
 };

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace oncard::runtime {
@@ -208,6 +210,129 @@ TEST(VirtualTimeTest, EndsWithTheLastMomentInsteadOfOverflowing) {
   time.SleepUntil(time.After(INT64_MAX));
   EXPECT_EQ(time.NowNs(), VirtualTime::kEndNs);
   EXPECT_EQ(time.Pass(INT64_MAX), VirtualTime::kEndNs);
+}
+
+// --- Waits for other threads ---------------------------------------------------------------------
+
+TEST(VirtualTimeTest, AThreadThatWaitsForAChangeSleepsAtMostToItsDeadline) {
+  VirtualTime time;
+  const std::atomic<int> word = 3;
+  EXPECT_EQ(time.SleepOn(word, 3, 100 * kMs), VirtualTime::Woken::kAtDeadline);
+  EXPECT_EQ(time.NowNs(), 100 * kMs);
+  EXPECT_EQ(time.SleepOn(word, 2, 200 * kMs), VirtualTime::Woken::kByThread) << "it has changed";
+  EXPECT_EQ(time.NowNs(), 100 * kMs);
+}
+
+// Three threads wait for the same; the last one to begin has the first deadline.
+TEST(VirtualTimeTest, WakesThreadsInTheOrderInWhichTheyBeganToWait) {
+  VirtualTime time;
+  std::atomic<int> word = 0;
+  std::vector<std::string> order;
+  std::vector<std::thread> threads;
+  for (const int number : {1, 2, 3}) {
+    threads.emplace_back([&, number] {
+      time.SleepUntil(number * kMs);
+      time.SleepOn(word, 0, (100 - number) * kMs);
+      order.push_back(std::to_string(number) + " at " + std::to_string(time.NowNs() / kMs));
+    });
+  }
+  for (int moment = 10; moment <= 20; moment += 10) {
+    time.SleepUntil(moment * kMs);
+    time.Wake(word, false);
+  }
+  time.SleepUntil(30 * kMs);
+  time.Wake(word, true);
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(order, (std::vector<std::string>{"1 at 10", "2 at 20", "3 at 30"}));
+}
+
+TEST(VirtualTimeTest, TheFirstSleeperCanBeWokenEarly) {
+  VirtualTime time;
+  std::vector<int64_t> left_ms;
+  std::thread early([&] { left_ms.push_back(time.SleepUntil(50 * kMs) / kMs); });
+  std::thread late([&] { left_ms.push_back(time.SleepUntil(60 * kMs) / kMs); });
+  time.SleepUntil(20 * kMs);
+  time.WakeFirst();
+  early.join();
+  late.join();
+  EXPECT_EQ(left_ms, (std::vector<int64_t>{30, 0}));
+}
+
+/// Acts at some instants, and wakes a thread at the last one.
+class Visitor final : public WakeUps {
+ public:
+  Visitor(VirtualTime* time, std::vector<int64_t> instants_ms)
+      : time_(*time), instants_ms_(std::move(instants_ms)) {
+    time_.ListenTo(this);
+  }
+
+  int64_t NextNs() override {
+    return next_ == instants_ms_.size() ? VirtualTime::kNeverNs : instants_ms_[next_] * kMs;
+  }
+  void Act() override {
+    acted_ms.push_back(time_.NowNs() / kMs);
+    if (++next_ < instants_ms_.size()) return;
+    ++word;
+    time_.Wake(word, true);
+  }
+
+  std::atomic<int> word = 0;
+  std::vector<int64_t> acted_ms;
+
+ private:
+  VirtualTime& time_;
+  const std::vector<int64_t> instants_ms_;
+  size_t next_ = 0;
+};
+
+TEST(VirtualTimeTest, ASourceActsAtItsInstantsWhileEveryThreadWaits) {
+  VirtualTime time;
+  Visitor visitor(&time, {10, 20, 45});
+  int64_t woken_ms = 0;
+  std::thread waiter([&] {
+    EXPECT_EQ(time.SleepOn(visitor.word, 0, VirtualTime::kNeverNs), VirtualTime::Woken::kByThread);
+    woken_ms = time.NowNs() / kMs;
+  });
+  time.SleepUntil(50 * kMs);
+  waiter.join();
+  EXPECT_EQ(time.NowNs(), 50 * kMs);
+  EXPECT_EQ(visitor.acted_ms, (std::vector<int64_t>{10, 20, 45}));
+  EXPECT_EQ(woken_ms, 45);
+}
+
+TEST(VirtualTimeTest, AWaitWithADeadlineDoesNotPassWhereASourceActs) {
+  VirtualTime time([](auto, auto) { return true; });
+  Visitor visitor(&time, {10, 20});
+  const VirtualTime::Wait wait = time.BeginWait(30 * kMs);
+  EXPECT_GT(time.NextSliceNs(wait), 0) << "the source has woken those who wait for it";
+  EXPECT_EQ(visitor.acted_ms, (std::vector<int64_t>{10, 20}));
+  EXPECT_EQ(time.NextSliceNs(wait), 0);
+  time.EndWait(wait, true);
+  EXPECT_EQ(time.NowNs(), 30 * kMs);
+}
+
+TEST(VirtualTimeTest, AWaitThatNobodyCanEndIsGivenUp) {
+  VirtualTime time;
+  const std::atomic<int> word = 0;
+  EXPECT_EQ(time.SleepOn(word, 0, VirtualTime::kNeverNs), VirtualTime::Woken::kNever);
+  EXPECT_EQ(time.NowNs(), 0);
+}
+
+TEST(VirtualTimeTest, AWaitIsNotGivenUpWhileAUserMayPressAKey) {
+  VirtualTime time;
+  std::atomic<int> word = 0;
+  std::atomic<bool> waits = true;
+  std::thread waiter([&] {
+    const VirtualTime::AwaitingInput input(&time);
+    EXPECT_EQ(time.SleepOn(word, 0, VirtualTime::kNeverNs), VirtualTime::Woken::kByThread);
+    waits = false;
+  });
+  // Much longer than the helper needs to find out that all threads wait.
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(waits);
+  ++word;
+  time.Wake(word, true);
+  waiter.join();
 }
 
 }  // namespace
