@@ -78,6 +78,7 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
       {"xxhash",
        {"xxhash", "xxhash"},
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
+      {"eigen", {"Eigen", "Eigen"}, ONCARD_EIGEN_VERSION},
       {"fast_float", {"fast_float", "fast_float"}, ONCARD_FAST_FLOAT_VERSION},
       {"cpp_httplib", {"cpp-httplib", "cpp-httplib"}, CPPHTTPLIB_VERSION},
       {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::CardTypeNames(), ", "))},

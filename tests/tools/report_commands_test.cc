@@ -346,8 +346,8 @@ TEST(Doctor, TellsTheSameFactsAsTextAndJson) {
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_EQ(text.out.rfind("oncard: ", 0), 0u) << text.out;
   const Json json = Json::parse(RunOncard({"doctor", "--format=json"}).out);
-  for (const char* key : {"version", "compiler", "cpp_httplib", "fast_float", "fmt", "cards",
-                          "commands", "optional"}) {
+  for (const char* key : {"version", "compiler", "cpp_httplib", "eigen", "fast_float", "fmt",
+                          "cards", "commands", "optional"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
 }

@@ -7,6 +7,7 @@ import { join, resolve } from "node:path";
 const inModule = [
   "libc++-19-dev-wasm32",
   "libclang-rt-19-dev-wasm32",
+  "libeigen3-dev",
   "libfast-float-dev",
   "libfmt-dev",
   "libtomlplusplus-dev",
