@@ -5,8 +5,18 @@
 #include <optional>
 
 namespace oncard::motion {
+namespace {
+
+MappedPositions MappedPositionsOf(std::span<const Profile> profiles) {
+  MappedPositions positions;
+  for (size_t i = 0; i < positions.size(); ++i) positions[i] = profiles[i].now.position;
+  return positions;
+}
+
+}  // namespace
 
 Coordinates PositionOf(const Crd& crd, std::span<const Profile> profiles) {
+  if (crd.map) return crd.map->PointOf(MappedPositionsOf(profiles), crd.position);
   Coordinates position{};
   for (size_t i = 0; i < crd.dimension(); ++i) {
     const Profile& member = profiles[static_cast<size_t>(crd.members[i])];
@@ -61,6 +71,28 @@ void CrdDriver::SetOverride(double ratio) {
 void CrdDriver::SetSecondOverride(double ratio) {
   crd_.second_override = ratio;
   crd_.Replan(card_.now());
+}
+
+// --- The map -----------------------------------------------------------------------------------
+
+void CrdDriver::BeginMap() {
+  crd_.map.Emplace();
+  crd_.position = {};
+}
+
+void CrdDriver::MapAxis(size_t axis, const MapRow& row) {
+  card_.LeaveLanes();
+  crd_.map->rows[axis] = row;
+  card_.profiles()[axis].mode = ProfileMode::kCrd;
+  crd_.position = crd_.map->PointOf(MappedPositionsOf(card_.profiles()), {});
+}
+
+void CrdDriver::LeaveMap(size_t axis) {
+  card_.LeaveLanes();
+  crd_.map->rows[axis] = {};
+  Profile& left = card_.profiles()[axis];
+  left.driven = false;
+  left.now = AtRest(left.now.position);
 }
 
 // --- FIFOs -------------------------------------------------------------------------------------
@@ -164,6 +196,19 @@ void CrdDriver::Stop(bool abrupt) {
   if (!crd_.run.running) Write();
 }
 
+void CrdDriver::Halt() {
+  card_.LeaveLanes();
+  const bool ran = crd_.run.running;
+  crd_.Halt();
+  if (ran) Write();
+}
+
+void CrdDriver::StopFor(size_t profile, bool abrupt) {
+  if (!crd_.map) return Stop(abrupt);
+  if (crd_.map->stops_together) return Halt();
+  LeaveMap(profile);
+}
+
 void CrdDriver::CloseList(size_t fifo) {
   card_.LeaveLanes();
   const bool ran = crd_.run.running;
@@ -262,6 +307,7 @@ void CrdDriver::Write() {
     tangent = segment.TangentAt(fifo.path);
     curvature = segment.CurvatureAt(fifo.path);
   }
+  if (crd_.map) return WriteMapped(tangent, curvature);
   for (size_t i = 0; i < crd_.dimension(); ++i) {
     Profile& member = card_.profile(crd_.members[i]);
     member.now = {crd_.origin[i] + crd_.position[i], tangent[i] * speed,
@@ -285,6 +331,21 @@ void CrdDriver::Write() {
     crd_.gears[kept++] = gear;
   }
   crd_.gear_count = kept;
+}
+
+void CrdDriver::WriteMapped(const Coordinates& tangent, const Coordinates& curvature) {
+  const CoordinateMap& map = *crd_.map;
+  const CrdRun& run = crd_.run;
+  for (size_t axis = 0; axis < map.rows.size(); ++axis) {
+    if (!map.Has(axis)) continue;
+    Profile& member = card_.profiles()[axis];
+    const double slope = map.Along(axis, tangent);
+    member.now = {
+        map.PositionOf(axis, crd_.position), slope * run.velocity,
+        slope * run.acceleration + map.Along(axis, curvature) * run.velocity * run.velocity,
+        run.running};
+    member.driven = run.running;
+  }
 }
 
 }  // namespace oncard::motion

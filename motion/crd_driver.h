@@ -16,7 +16,7 @@
 
 namespace oncard::motion {
 
-/// The positions of the members among the profiles of a card, relative to the origin.
+/// Where the members among the profiles of a card are: relative to the origin, or by the map.
 Coordinates PositionOf(const Crd& crd, std::span<const Profile> profiles);
 
 class CrdDriver {
@@ -45,6 +45,18 @@ class CrdDriver {
   void SetStepMode(bool on);
   void SetOverride(double ratio);
   void SetSecondOverride(double ratio);
+
+  // --- The map -----------------------------------------------------------------------------------
+
+  /// Axes follow the path as a map says, which maps none yet. The path is at 0.
+  void BeginMap();
+  /// Maps the axis of a profile at rest, which changes to mode Crd. The path is found anew from the
+  /// axes; coordinates that they do not determine are 0.
+  void MapAxis(size_t axis, const MapRow& row);
+  /// A stop of an axis stops the path, or the axis alone, which then leaves the map.
+  void SetStopsTogether(bool together) { crd_.map->stops_together = together; }
+  /// Takes an axis out of the map.
+  void LeaveMap(size_t axis);
 
   // --- FIFOs -----------------------------------------------------------------------------------
 
@@ -82,6 +94,10 @@ class CrdDriver {
   void Resume(size_t fifo, const PathSlot& back);
   /// Stops a run along its path.
   void Stop(bool abrupt);
+  /// Ends a run at once: the path rests where it is.
+  void Halt();
+  /// A profile that it drives has to stop.
+  void StopFor(size_t profile, bool abrupt);
   /// Opens a list: a run that has come to its end waits for more slots.
   void OpenList(size_t fifo) { crd_.fifos[fifo].list.open = true; }
   /// Closes it; a run that waits for its data ends.
@@ -106,6 +122,8 @@ class CrdDriver {
   /// Writes the outputs of the member profiles and of GT_BufGear profiles for the current point of
   /// the path.
   void Write();
+  /// The same for the profiles of mapped axes.
+  void WriteMapped(const Coordinates& tangent, const Coordinates& curvature);
 
   Crd& crd_;
   CrdPort card_;

@@ -19,7 +19,7 @@ void ProfileHandle::Stop(bool abrupt) const {
   MotionState& state = core_.Changed();
   Profile& stopped = state.profiles[index_];
   for (size_t i = 0; i < kCrdCount && stopped.driven; ++i) {
-    if (state.crds[i].Drives(index_)) CrdDriver(core_, i).Stop(abrupt);
+    if (state.crds[i].Drives(index_)) CrdDriver(core_, i).StopFor(index_, abrupt);
   }
   if (stopped.driven) return;
   if (abrupt) {
@@ -31,6 +31,14 @@ void ProfileHandle::Stop(bool abrupt) const {
 
 void ProfileHandle::StopWith(double deceleration) const {
   core_.Changed().profiles[index_].Stop(core_.now(), deceleration);
+}
+
+void ProfileHandle::SelectMode(ProfileMode mode) const {
+  MotionState& state = core_.Changed();
+  for (size_t i = 0; i < kCrdCount; ++i) {
+    if (state.crds[i].map && state.crds[i].HasMember(index_)) CrdDriver(core_, i).LeaveMap(index_);
+  }
+  state.profiles[index_].mode = mode;
 }
 
 void ProfileHandle::SetPosition(double position) const {

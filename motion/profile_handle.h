@@ -27,7 +27,8 @@ class ProfileHandle {
 
   /// Configuration: an inactive profile plans nothing.
   void SetActive(bool active) const { core_.Changed().profiles[index_].active = active; }
-  void SelectMode(ProfileMode mode) const { core_.Changed().profiles[index_].mode = mode; }
+  /// Selects a mode. An axis that is mapped to a path leaves the map.
+  void SelectMode(ProfileMode mode) const;
   /// Sets its position; the axes keep theirs.
   void SetPosition(double position) const;
   /// GT_SetStopDec, pulse/ms^2 > 0.

@@ -103,6 +103,7 @@ void Crd::Clear(size_t fifo) {
 }
 
 bool Crd::HasMember(size_t profile) const {
+  if (map) return profile < kMappedAxisMax && map->Has(profile);
   for (size_t i = 0; i < dimension(); ++i) {
     if (members[i] == static_cast<int32_t>(profile)) return true;
   }
@@ -174,6 +175,10 @@ void Crd::Stop(bool abrupt, Micros now) {
   run.stopping = true;
   run.stop_deceleration = deceleration;
   Replan(now);
+}
+
+void Crd::Halt() {
+  if (run.running) EndRun();
 }
 
 void Crd::Replan(Micros now) {

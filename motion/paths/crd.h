@@ -20,6 +20,7 @@
 #include "motion/common/card_defaults.h"
 #include "motion/common/rare.h"
 #include "motion/common/sizes.h"
+#include "motion/paths/coordinate_map.h"
 #include "motion/paths/path_planner.h"
 #include "motion/paths/path_slot.h"
 #include "motion/paths/path_span.h"
@@ -226,6 +227,7 @@ struct Crd {
   CrdRun run;
   std::array<GearShare, kAxisMax> gears;
   uint32_t gear_count = 0;
+  Rare<CoordinateMap> map;  ///< its axes are the members
 
   static constexpr double kNoVelocityLimit = 32767;
 
@@ -268,6 +270,8 @@ struct Crd {
   void Resume(size_t fifo, const PathSlot& back, Micros now);
   /// Decelerates along the path; a faster stop replaces a slower one.
   void Stop(bool abrupt, Micros now);
+  /// Rests at once where the path is.
+  void Halt();
   /// Plans the rest of the segment again after a change of an override or a limit.
   void Replan(Micros now);
   /// Advances time to `now`. If the result is not NULL, it is a command that the caller must
@@ -283,7 +287,7 @@ struct Crd {
   auto Fields() const {
     return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
                     start, override_ratio, second_override, step_mode, axis_velocity_max, fifos,
-                    run, gears, gear_count);
+                    run, gears, gear_count, map);
   }
 
   // Parts of the functions above.
