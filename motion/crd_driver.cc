@@ -85,6 +85,12 @@ void CrdDriver::MapAxis(size_t axis, const MapRow& row) {
   crd_.map->rows[axis] = row;
   card_.profiles()[axis].mode = ProfileMode::kCrd;
   crd_.position = crd_.map->PointOf(MappedPositionsOf(card_.profiles()), {});
+  crd_.LimitJoints(card_.now());
+}
+
+void CrdDriver::SetJump(size_t axis, double velocity) {
+  crd_.map->jumps[axis] = velocity;
+  crd_.LimitJoints(card_.now());
 }
 
 void CrdDriver::LeaveMap(size_t axis) {
@@ -93,6 +99,7 @@ void CrdDriver::LeaveMap(size_t axis) {
   Profile& left = card_.profiles()[axis];
   left.driven = false;
   left.now = AtRest(left.now.position);
+  crd_.LimitJoints(card_.now());
 }
 
 // --- FIFOs -------------------------------------------------------------------------------------

@@ -53,6 +53,8 @@ class CrdDriver {
   /// Maps the axis of a profile at rest, which changes to mode Crd. The path is found anew from the
   /// axes; coordinates that they do not determine are 0.
   void MapAxis(size_t axis, const MapRow& row);
+  /// By how much the velocity of an axis may change at once, > 0.
+  void SetJump(size_t axis, double velocity);
   /// A stop of an axis stops the path, or the axis alone, which then leaves the map.
   void SetStopsTogether(bool together) { crd_.map->stops_together = together; }
   /// Takes an axis out of the map.

@@ -65,11 +65,18 @@ void CrdFifo::LeaveLineBack() {
   interruption.Reset();
 }
 
+PathSlot* CrdFifo::LastSegment() {
+  if (PathSlot* last = slots.LastSegment()) return last;
+  if (interruption) return interruption->executing ? &interruption->slot : nullptr;
+  return executing ? &current : nullptr;
+}
+
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
-  const bool joins = slot.is_segment && to.list.joints == JointRule::kFeeds && run.running &&
-                     run.fifo == fifo && to.executing;
+  const bool joins =
+      slot.is_segment && to.list.plans_joints() && run.running && run.fifo == fifo && to.executing;
   const double end = joins ? EndOfCurrent() : 0;
+  if (to.space() > 0) LimitJoint(to.list, to.LastSegment(), slot);
   if (!to.Append(slot)) return false;
   if (joins && EndOfCurrent() != end) Replan(now);
   if (run.wait == CrdWait::kData && run.fifo == fifo) {
@@ -212,6 +219,27 @@ void Crd::CloseList(size_t fifo) {
   if (run.wait == CrdWait::kData && run.fifo == fifo) EndRun();
 }
 
+void Crd::LimitJoints(Micros now) {
+  for (CrdFifo& fifo : fifos) {
+    SlotQueue& slots = fifo.slots;
+    PathSlot* before = nullptr;
+    if (fifo.executing) before = fifo.interruption ? &fifo.interruption->slot : &fifo.current;
+    for (size_t i = 0; i < slots.size(); ++i) {
+      LimitJoint(fifo.list, before, slots.At(i));
+      before = &slots.At(i);
+    }
+  }
+  Replan(now);
+}
+
+void Crd::LimitJoint(const SegmentList& list, PathSlot* before, const PathSlot& after) const {
+  if (list.joints != JointRule::kAxisJumps || !map || before == nullptr) return;
+  if (before->ends_at_rest || !before->is_segment || !after.is_segment) return;
+  const Segment& segment = before->segment;
+  before->end_velocity =
+      map->SpeedAtTurn(Between(segment.TangentAt(segment.length), after.segment.TangentAt(0)));
+}
+
 double Crd::FeedOf(const PathSlot& slot) const {
   const double ratio = slot.second_override ? second_override : override_ratio;
   return std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit});
@@ -219,7 +247,7 @@ double Crd::FeedOf(const PathSlot& slot) const {
 
 double Crd::EndOfCurrent() const {
   const PathSlot& slot = active().current;
-  if (active().list.joints == JointRule::kFeeds) {
+  if (active().list.plans_joints()) {
     // A path that brakes keeps its rests; joints between other segments do not make it brake
     // harder.
     const bool brakes = run.stopping || FeedOf(slot) == 0;
@@ -235,7 +263,7 @@ double Crd::EndOfCurrent() const {
 
 double Crd::EndLimit(const PathSlot& slot, bool brakes) const {
   if (slot.ends_at_rest || slot.end_velocity <= start.velocity) return start.velocity;
-  return brakes ? kUnlimited : slot.end_velocity;
+  return brakes && active().list.joints == JointRule::kFeeds ? kUnlimited : slot.end_velocity;
 }
 
 double Crd::SquareAhead(double most, bool brakes) const {
@@ -246,7 +274,7 @@ double Crd::SquareAhead(double most, bool brakes) const {
     gain += 2 * slots.At(count).acceleration * slots.At(count).segment.length;
   }
   const double rest = start.velocity * start.velocity;
-  const bool ends = active().list.joints == JointRule::kFeeds && count == slots.size();
+  const bool ends = active().list.plans_joints() && count == slots.size();
   double square = ends ? rest : std::numeric_limits<double>::max();
   for (size_t i = count; i-- > 0;) {
     const PathSlot& next = slots.At(i);

@@ -62,11 +62,14 @@ struct CrdParameters {
 
 /// A buffer as a list of segments.
 struct SegmentList {
-  /// kGiven or kFeeds: the rule of slots that pass no window before they enter the buffer.
+  /// kGiven, kFeeds or kAxisJumps: the rule of slots that pass no window before they enter the
+  /// buffer.
   JointRule joints = JointRule::kGiven;
   bool open = false;  ///< a run that has come to its end waits for more slots
 
-  bool in_use() const { return joints != JointRule::kGiven || open; }
+  bool in_use() const { return plans_joints() || open; }
+  /// True if a joint depends on all that follows in the buffer.
+  bool plans_joints() const { return joints != JointRule::kGiven; }
   auto Fields() const { return std::tie(joints, open); }
 };
 
@@ -112,6 +115,8 @@ struct CrdFifo {
                         : current.segment.PointAt(path);
   }
   const Coordinates& Tail() const { return is_virtual() ? planner->virtual_run.end : tail; }
+  /// The segment that ends last, unless it has ended; nullptr if there is none.
+  PathSlot* LastSegment();
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {
@@ -283,6 +288,8 @@ struct Crd {
   void EndMove(Micros now);
   /// Ends an open list, and a run that waits for its data.
   void CloseList(size_t fifo);
+  /// Limits the joints of all FIFOs anew after a change of the map.
+  void LimitJoints(Micros now);
 
   auto Fields() const {
     return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
@@ -301,8 +308,10 @@ struct Crd {
   /// ones of the FIFO can be; what lies beyond a distance to brake from `most`, a square, does not
   /// count.
   double SquareAhead(double most, bool brakes) const;
-  /// The largest velocity at the end of a segment, whatever follows; if the path brakes, only a
-  /// rest limits it.
+  /// Limits the velocity at the joint of two segments of a list by the jumps of its axes.
+  void LimitJoint(const SegmentList& list, PathSlot* before, const PathSlot& after) const;
+  /// The largest velocity at the end of a segment, whatever follows. If the path brakes, only a
+  /// rest limits it, and what the axes can bear.
   double EndLimit(const PathSlot& slot, bool brakes) const;
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent();

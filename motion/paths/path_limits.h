@@ -45,7 +45,10 @@ enum class JointRule : uint8_t {
   /// Corners and curves with the acceleration of the segments, and what each axis may do
   /// (GT_InitLookAheadEx). The window holds segments, and the oldest leaves when another one has
   /// entered.
-  kAxes
+  kAxes,
+  /// As kFeeds, but at a joint no axis of the map may change its velocity at once by more than
+  /// CoordinateMap::jumps. PathSlot::end_velocity follows from that.
+  kAxisJumps
 };
 
 /// The rule of a window.

@@ -1,5 +1,5 @@
-// Paths whose axes follow a map: where the axes are, and how they stop. Worked figures are those of
-// the GT manual, chapter 5.
+// Paths whose axes follow a map: where the axes are, how they stop, and lists whose joints are
+// limited by the jumps of the axes. Worked figures are those of the GT manual, chapter 5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +26,7 @@ class MapRunTest {
     parameters.velocity_max = kUnlimited;
     path().SetUp(parameters);
     path().BeginMap();
+    path().SetJoints(kList, JointRule::kAxisJumps);
     for (size_t axis = 0; axis < 4; ++axis) {
       MapRow row;
       row.coefficients[axis] = scale;
@@ -200,6 +201,212 @@ TEST(MappedPath, AnAxisThatIsStoppedAloneLeavesTheMap) {
   EXPECT_EQ(test.profile(0).position, 1000);
   EXPECT_EQ(test.profile(1).position, at);
   EXPECT_FALSE(test.crd().HasMember(1));
+}
+
+// --- Joints limited by jumps ---------------------------------------------------------------------
+
+// A right angle at 2 pulse/ST: with no limit it is passed at full speed, otherwise at 0.5.
+TEST(AxisJumps, LimitTheJointOfTwoSegments) {
+  for (const double jump : {16384.0, 0.5}) {
+    MapRunTest test;
+    test.path().SetJump(0, jump);
+    test.path().SetJump(1, jump);
+    test.AddLine({3000, 0}, 2, 0.01);
+    test.AddLine({3000, 3000}, 2, 0.01);
+    test.Start();
+    EXPECT_NEAR(test.TimeToEnd(), jump > 1 ? 3200 : 3312.5, 1e-6) << jump;
+    EXPECT_EQ(test.profile(1).position, 3000);
+  }
+}
+
+// Example "1-21": a line, an arc of 123 degrees and a line in four dimensions are one triangle.
+TEST(AxisJumps, PassThreeSegmentsAsOne) {
+  MapRunTest test(2000);
+  test.path().SetJump(0, 16384);
+  test.AddLine({10, 10}, 0.01, 1e-8);
+  test.Add(
+      *MakeArcWithSweep({10, 10}, kXyPlane, -10, -10, 123 * 3.14159265358979323846 / 180, true),
+      0.01, 1e-8);
+  test.AddLine({0, 0, 10, 12}, 0.01, 1e-8);
+  test.Start();
+  EXPECT_NEAR(test.TimeToEnd(), 161954.4914, 1e-3);
+  EXPECT_EQ(test.profile(3).position, 24000);
+}
+
+TEST(AxisJumps, AreThoseOfTheAxesThatMoveThere) {
+  MapRunTest test(100);
+  // The second axis turns by 100 * 1 per unit of speed.
+  test.path().SetJump(1, 20);
+  test.path().SetJump(2, 1e-3);
+  test.AddLine({30, 0}, 2, 0.01);
+  test.AddLine({30, 30}, 2, 0.01);
+  EXPECT_EQ(test.list().slots.At(0).end_velocity, 0.2);
+}
+
+TEST(AxisJumps, ActOnJointsThatWaitAlready) {
+  MapRunTest test;
+  test.AddLine({3000, 0}, 2, 0.01);
+  test.AddLine({3000, 3000}, 2, 0.01);
+  test.Start();
+  test.RunFor(500);
+  test.path().SetJump(0, 0.5);
+  EXPECT_NEAR(test.TimeToEnd(), 3312.5, 1e-6);
+}
+
+TEST(AxisJumps, ActOnSegmentsThatAreAppendedToAMovingPath) {
+  MapRunTest test;
+  test.path().SetJump(1, 0.5);
+  test.AddLine({3000, 0}, 2, 0.01);
+  test.Start();
+  test.RunFor(500);
+  test.AddLine({3000, 3000}, 2, 0.01);
+  EXPECT_NEAR(test.TimeToEnd(), 3312.5, 1e-6);
+}
+
+TEST(AxisJumps, OfAMapThatChangesLimitTheJointsThatWait) {
+  MapRunTest test;
+  test.path().SetJump(0, 0.5);
+  test.AddLine({3000, 0}, 2, 0.01);
+  test.AddLine({3000, 3000}, 2, 0.01);
+  test.path().MapAxis(0, {{0.5}});
+  EXPECT_EQ(test.list().slots.At(0).end_velocity, 1);
+}
+
+// A stop keeps them, too: behind the first joint it brakes harder than it was told to.
+TEST(AxisJumps, HoldForAPathThatStops) {
+  MapRunTest test;
+  test.path().SetJump(1, 0.5);
+  test.path().SetStopDecelerations(0.001, 0.001);
+  test.AddLine({3000, 0}, 2, 0.01);
+  test.AddLine({3000, 3000}, 2, 0.01);
+  test.Start();
+  test.RunFor(1500);
+  test.path().Stop(false);
+  double before = 0;
+  double most = 0;
+  while (test.running()) {
+    test.core.Tick();
+    most = std::max(most, test.profile(1).velocity - before);
+    before = test.profile(1).velocity;
+  }
+  EXPECT_LE(most, 0.5 + 1e-9);
+  EXPECT_GT(test.profile(1).position, 0);
+}
+
+// --- Random lists --------------------------------------------------------------------------------
+
+/// A list of lines and arcs with an axis for each coordinate, to which segments are appended while
+/// it runs and stops.
+class RandomMappedList {
+ public:
+  explicit RandomMappedList(uint32_t seed) : random_(seed) {
+    crd_.parameters.dimension = 4;
+    crd_.parameters.velocity_max = kUnlimited;
+    CoordinateMap& map = crd_.map.Emplace();
+    for (size_t axis = 0; axis < map.rows.size(); ++axis) {
+      for (double& value : map.rows[axis].coefficients) {
+        value = random_.Between(0, 1) < 0.4 ? random_.Between(-5, 5) : 0;
+      }
+      map.jumps[axis] = random_.Between(0.5, 20);
+    }
+    list().list = {JointRule::kAxisJumps, true};
+    for (double chance = 1; random_.Between(0, 1) < chance; chance = 0.8) AppendSegment();
+  }
+
+  void Run() {
+    crd_.Start(kList, false, 0);
+    for (int cycle = 1; crd_.run.running; ++cycle) {
+      ASSERT_LT(cycle, 20000);
+      now_ = cycle * Micros{1000};
+      Advance();
+      if (testing::Test::HasFatalFailure()) return;
+      Disturb(cycle);
+    }
+    EXPECT_EQ(crd_.position, end_);
+    EXPECT_EQ(list().done, appended_);
+    EXPECT_EQ(crd_.run.velocity, 0);
+  }
+
+ private:
+  CrdFifo& list() { return crd_.fifos[kList]; }
+
+  void AppendSegment() {
+    PathSlot slot;
+    slot.is_segment = true;
+    if (random_.Between(0, 1) < 0.3) {
+      constexpr ArcPlane kPlanes[] = {kXyPlane, kYzPlane, kZxPlane};
+      slot.segment = *MakeArcWithSweep(end_, kPlanes[static_cast<size_t>(random_.Between(0, 3))],
+                                       random_.Between(1, 30), random_.Between(-30, 30),
+                                       random_.Between(0.1, 6), random_.Between(0, 1) < 0.5);
+    } else {
+      Coordinates next = end_;
+      for (double& value : next) value += random_.Between(-60, 60);
+      slot.segment = *MakeLine(end_, next);
+    }
+    slot.velocity = random_.Between(0.5, 30);
+    slot.acceleration = kAcceleration;
+    ASSERT_TRUE(crd_.Append(kList, slot, now_));
+    end_ = slot.segment.end;
+    joints_.push_back(slot.segment);
+    ++appended_;
+  }
+
+  /// One cycle. Between two segments the velocity of the path is the one at the joint.
+  void Advance() {
+    const double before = crd_.run.velocity;
+    const int done = list().done;
+    EXPECT_EQ(crd_.Advance(now_), nullptr);
+    // Even from one cycle to the next across several joints.
+    ASSERT_LE(std::fabs(crd_.run.velocity - before), kAcceleration + 1e-9);
+    if (list().executing) {
+      ASSERT_LE(crd_.run.velocity, list().current.velocity + 1e-9);
+    }
+    // A joint is passed at most as fast as the path can have been in this cycle.
+    for (int joint = done + 1; joint <= list().done && joint < appended_; ++joint) {
+      const auto i = static_cast<size_t>(joint);
+      const Coordinates turn =
+          Between(joints_[i - 1].TangentAt(joints_[i - 1].length), joints_[i].TangentAt(0));
+      const double least = std::max({before, crd_.run.velocity}) - kAcceleration;
+      for (size_t axis = 0; axis < kMappedAxisMax; ++axis) {
+        ASSERT_LE(std::fabs(crd_.map->Along(axis, turn)) * least, crd_.map->jumps[axis] + 1e-9);
+      }
+    }
+  }
+
+  void Disturb(int cycle) {
+    const double event = random_.Between(0, 1);
+    if (cycle > 300) {
+      crd_.CloseList(kList);
+    } else if (event < 0.05) {
+      AppendSegment();
+    } else if (event < 0.06) {
+      crd_.smooth_stop = kAcceleration;
+      crd_.Stop(false, now_);
+      stopped_ = true;
+    }
+    if (!crd_.run.running && stopped_ && !list().idle()) {
+      stopped_ = false;
+      crd_.Start(kList, false, now_);
+    }
+  }
+
+  static constexpr double kAcceleration = 1;
+
+  RandomNumbers random_;
+  Crd crd_;
+  Micros now_ = 0;
+  Coordinates end_{};
+  std::vector<Segment> joints_;
+  int appended_ = 0;
+  bool stopped_ = false;
+};
+
+TEST(AxisJumps, KeepAllLimitsInAnyRun) {
+  for (uint32_t seed = 0; seed < 10'000; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomMappedList(seed).Run();
+    if (testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace
