@@ -36,6 +36,14 @@ bool AxisPort::HomeActive() const {
   return core_.readings().InputActive({DiType::kHome, static_cast<int16_t>(index_)});
 }
 
+bool AxisPort::AtHome() const {
+  const auto bit = static_cast<int>(index_);
+  const DigitalIo& io = core_.state.io;
+  const bool high = (io.Pins(DiType::kHome) >> bit & 1) != 0;
+  const Capture& capture = core_.state.capture.capture(index_);
+  return io.Driven(DiType::kHome, bit) && high == capture.RisesOf(CaptureSource::kHome);
+}
+
 bool AxisPort::LimitActive(int direction) const {
   return core_.readings().InputActive(direction > 0 ? registers().positive_limit
                                                     : registers().negative_limit);

@@ -35,6 +35,9 @@ class AxisPort {
 
   /// The level of the home input.
   bool HomeActive() const;
+  /// True if the pin of the home input is connected and has the level that follows the edge for
+  /// which its capture waits.
+  bool AtHome() const;
   /// The limit input in a direction, given by its sign, and the same or the latched condition.
   bool LimitActive(int direction) const;
   bool LimitReached(int direction) const;

@@ -5,7 +5,8 @@
 namespace oncard::motion {
 namespace {
 
-static_assert(kFieldsComplete<HomeParameters> && kFieldsComplete<Homing>);
+static_assert(kFieldsComplete<HomeParameters> && kFieldsComplete<Homing> &&
+              kFieldsComplete<HomeBound>);
 
 }  // namespace
 

@@ -93,7 +93,16 @@ struct HomeParameters {
 };
 
 /// What simple homing does after the capture; kSmart: smart homing.
-enum class HomeKind : uint8_t { kSmart, kHome, kStop, kIndex };
+enum class HomeKind : uint8_t { kSmart, kHome, kStop, kIndex, kWithin };
+
+/// HomeKind::kWithin: the position at which the search ends without a result.
+struct HomeBound {
+  bool given = false;
+  int32_t position = 0;
+
+  bool in_use() const { return given; }
+  auto Fields() const { return std::tie(given, position); }
+};
 
 struct Homing {
   HomeParameters parameters;
@@ -119,11 +128,12 @@ struct Homing {
   bool index_follows = false;  ///< GT_Index: after the home switch comes the index pulse ...
   int32_t index_distance = 0;  ///< ... within this distance, in profile pulses
   int32_t index_offset = 0;
+  HomeBound bound = {};
 
   auto Fields() const {
     return std::tie(parameters, running, stage, error, captured, origin, target, kind, direction,
                     turned, stopping, failing, ahead, prepared, simple_velocity, simple_acc,
-                    simple_offset, found, index_follows, index_distance, index_offset);
+                    simple_offset, found, index_follows, index_distance, index_offset, bound);
   }
 };
 

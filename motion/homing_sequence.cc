@@ -43,6 +43,22 @@ void HomingSequence::Begin(const HomeParameters& parameters) {
 
 void HomingSequence::BeginSimple(HomeKind kind, int32_t position, double velocity,
                                  double acceleration, int32_t offset) {
+  SetUpSimple(kind, velocity, acceleration, offset);
+  axis_.Arm(axis_.axis(), CaptureSource::kHome);
+  Move(HomeStage::kSearchHome, position - axis_.now().position, velocity);
+}
+
+void HomingSequence::BeginWithin(int32_t bound, double velocity, double acceleration, bool index) {
+  SetUpSimple(HomeKind::kWithin, velocity, acceleration, 0);
+  homing_.bound = {true, bound};
+  homing_.index_follows = index;
+  homing_.direction = bound < axis_.now().position ? -1 : 1;
+  if (!axis_.AtHome()) return SearchWithin(HomeStage::kSearchHome, CaptureSource::kHome);
+  Move(HomeStage::kEscape, -homing_.direction * double{kSearchDistanceMax}, velocity);
+}
+
+void HomingSequence::SetUpSimple(HomeKind kind, double velocity, double acceleration,
+                                 int32_t offset) {
   any_runs_ = true;
   homing_.running = true;
   homing_.kind = kind;
@@ -55,8 +71,18 @@ void HomingSequence::BeginSimple(HomeKind kind, int32_t position, double velocit
   homing_.simple_acc = acceleration;
   homing_.simple_offset = offset;
   axis_.SetRamps({acceleration, acceleration, 0, 0});
-  axis_.Arm(axis_.axis(), CaptureSource::kHome);
-  Move(HomeStage::kSearchHome, position - axis_.now().position, velocity);
+}
+
+void HomingSequence::SearchWithin(HomeStage stage, CaptureSource source) {
+  homing_.found = false;
+  axis_.Arm(axis_.axis(), source);
+  Move(stage, homing_.bound.position - axis_.now().position, homing_.simple_velocity);
+}
+
+void HomingSequence::Abandon() {
+  if (!homing_.running) return;
+  axis_.Disarm(trigger());
+  End();
 }
 
 void HomingSequence::SetIndexSearch(int32_t distance, int32_t offset) {
@@ -126,6 +152,9 @@ void HomingSequence::Advance() {
     homing_.stopping = true;
     return axis_.Stop();
   }
+  if (homing_.stage == HomeStage::kEscape && homing_.kind == HomeKind::kWithin && !axis_.AtHome()) {
+    return SearchWithin(HomeStage::kSearchHome, CaptureSource::kHome);
+  }
   const bool arrived = !now.moving && now.position == homing_.target;
   if (axis_.stopping() || (!now.moving && !arrived)) {
     return Fail(HomeError::kStop);
@@ -136,7 +165,7 @@ void HomingSequence::Advance() {
 void HomingSequence::TakeCapture(double captured) {
   homing_.captured = captured;
   homing_.origin = axis_.ProfilePositionOf(trigger(), captured, homing_.ahead);
-  if (homing_.kind == HomeKind::kHome || homing_.kind == HomeKind::kIndex) {
+  if (homing_.kind != HomeKind::kSmart && homing_.kind != HomeKind::kStop) {
     homing_.found = true;
     return Move(HomeStage::kGoHome, homing_.origin + homing_.simple_offset - axis_.now().position,
                 homing_.simple_velocity);
@@ -187,7 +216,11 @@ void HomingSequence::Arrive() {
     case HomeStage::kHomeReturn:
       return SearchIndex();
     case HomeStage::kGoHome:
-      return homing_.kind == HomeKind::kHome && homing_.index_follows ? SearchIndexSimply() : End();
+      if (!homing_.index_follows) return End();
+      if (homing_.kind == HomeKind::kHome) return SearchIndexSimply();
+      if (homing_.kind != HomeKind::kWithin) return End();
+      homing_.index_follows = false;
+      return SearchWithin(HomeStage::kSearchIndex, CaptureSource::kIndex);
     case HomeStage::kSearchIndex:
       return Fail(HomeError::kNoIndex);
     default:

@@ -10,7 +10,9 @@
 // position plus the offset; no position is set to 0.
 //
 // Simple homing (GT_Home, GT_HomeStop) moves towards a position until the capture triggers.
-// GT_Index before it adds a search for the index pulse, from where GT_Home would end.
+// GT_Index before it adds a search for the index pulse, from where GT_Home would end. A search
+// within a bound leaves the switch first, returns to where it has found it, and searches the index
+// pulse from there on the same way, all at one velocity.
 //
 // A captured position is one of an encoder. The profile position that returns to it is computed
 // from the distance between it and the current encoder position, so that scales and set positions
@@ -45,6 +47,10 @@ class HomingSequence {
   /// Moves towards `position` until the capture triggers.
   void BeginSimple(HomeKind kind, int32_t position, double velocity, double acceleration,
                    int32_t offset);
+  /// Searches for the home switch, then for the index pulse if `index`, on the way to `bound`.
+  void BeginWithin(int32_t bound, double velocity, double acceleration, bool index);
+  /// The axis has been given another motion.
+  void Abandon();
   /// Searches for the index pulse after the next home switch, or after the one just found.
   void SetIndexSearch(int32_t distance, int32_t offset);
   /// GT_HomeInit: forgets the result of simple homing and the search for an index pulse.
@@ -59,6 +65,10 @@ class HomingSequence {
   void SearchHome();
   void SearchIndex();
   void SearchIndexSimply();
+  /// Prepares simple homing from the present position.
+  void SetUpSimple(HomeKind kind, double velocity, double acceleration, int32_t offset);
+  /// Searches on the way to the bound, with the capture armed for one of its sources.
+  void SearchWithin(HomeStage stage, CaptureSource source);
   /// Next steps: after a capture, after a stop by homing, after a move.
   void TakeCapture(double captured);
   void Continue();

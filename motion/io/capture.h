@@ -56,8 +56,9 @@ struct Capture {
   uint32_t offsets_used = 0;      ///< in the present loop
   int32_t loops_done = 0;
 
-  /// The sense of the present source.
-  bool Rising() const { return (rising & BitOf(source)) != 0; }
+  /// The sense of the present source, and that of any.
+  bool Rising() const { return RisesOf(source); }
+  bool RisesOf(CaptureSource of) const { return (rising & BitOf(of)) != 0; }
   /// Sets the sense of a source, which need not be the present one.
   void SetRising(CaptureSource of, bool edge_rises);
 

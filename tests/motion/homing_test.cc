@@ -40,6 +40,12 @@ class HomedAxis {
     // Until the filter has accepted its level.
     Ticks(core_, 4);
   }
+  void PlaceAt(int32_t position) {
+    core_.PlaceMotor(0, position);
+    core_.ProfileAt(0).SetPosition(position);
+    core_.EncoderAt(0).SetPosition(position);
+    core_.AxisAt(0).SynchPosition();
+  }
   void Begin(const HomeParameters& parameters) {
     ASSERT_EQ(core_.CheckHoming(0, parameters.mode), HomeError::kNone);
     core_.HomingAt(0).Begin(parameters);
@@ -428,6 +434,67 @@ TEST(SimpleHoming, TheIndexPulseIsSearchedAtHalfTheVelocity) {
     EXPECT_EQ(axis.position(), 6350);
     EXPECT_NEAR(axis.Fastest(HomeStage::kSearchIndex), 5, 1e-9);
   }
+}
+
+// --- Within a bound ----------------------------------------------------------------------------
+
+// At 10 pulse/ms with 1 pulse/ms^2, from 0, or from 5000 in the middle of the switch: it is left at
+// the side where the search begins. A switch that is passed downwards captures at 6000.
+TEST(HomingWithinABound, ReturnsToWhereItHasFoundTheSwitch) {
+  const struct {
+    int32_t start;
+    int32_t bound;
+    double found;
+  } cases[] = {{0, 20000, 4000}, {20000, -20000, 6000}, {5000, 20000, 4000}, {5000, -20000, 6000}};
+  for (const auto& c : cases) {
+    HomedAxis axis;
+    axis.PlaceAt(c.start);
+    axis.core().capture().SetSense(0, CaptureSource::kHome, true);
+    axis.AddSwitch(DiType::kHome, 4000, 6000);
+    axis.core().HomingAt(0).BeginWithin(c.bound, 10, 1, false);
+    axis.Run();
+    EXPECT_TRUE(axis.state().found) << c.start;
+    EXPECT_EQ(axis.position(), c.found) << c.start;
+    EXPECT_EQ(axis.Fastest(HomeStage::kSearchHome), 10);
+    const bool on_switch = c.start == 5000;
+    EXPECT_EQ(axis.Fastest(HomeStage::kEscape) > 0, on_switch);
+  }
+}
+
+// The marks are at 300, 1300 ...; the one after 4000 is at 4300, the one before 6000 at 5300.
+TEST(HomingWithinABound, SearchesTheIndexPulseOnTheSameWay) {
+  for (const bool upwards : {true, false}) {
+    HomedAxis axis;
+    axis.PlaceAt(upwards ? 0 : 20000);
+    axis.core().capture().SetSense(0, CaptureSource::kHome, true);
+    axis.AddSwitch(DiType::kHome, 4000, 6000);
+    axis.core().HomingAt(0).BeginWithin(upwards ? 20000 : -20000, 10, 1, true);
+    axis.Run();
+    EXPECT_TRUE(axis.state().found);
+    EXPECT_EQ(axis.position(), upwards ? 4300 : 5300);
+  }
+}
+
+TEST(HomingWithinABound, EndsThereWithoutAResult) {
+  HomedAxis axis;
+  axis.core().HomingAt(0).BeginWithin(3000, 10, 1, true);
+  axis.Run();
+  EXPECT_FALSE(axis.state().found);
+  EXPECT_EQ(axis.position(), 3000);
+}
+
+TEST(HomingWithinABound, AnotherMotionEndsIt) {
+  HomedAxis axis;
+  axis.AddSwitch(DiType::kHome, 4000, 6000);
+  axis.core().HomingAt(0).BeginWithin(20000, 10, 1, false);
+  Ticks(axis.core(), 10);
+  axis.core().HomingAt(0).Abandon();
+  axis.core().ProfileAt(0).SetTarget(9000);
+  axis.core().ProfileAt(0).Start();
+  EXPECT_FALSE(axis.state().running);
+  EXPECT_FALSE(axis.core().state().capture.capture(0).armed);
+  while (axis.core().profile(0).now.moving) axis.core().Tick();
+  EXPECT_EQ(axis.position(), 9000);
 }
 
 }  // namespace
