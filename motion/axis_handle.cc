@@ -60,6 +60,11 @@ void AxisHandle::ClearConditions(uint32_t conditions) const {
   cleared.latched &= ~conditions | core_.readings().ActiveCauses(cleared);
 }
 
+void AxisHandle::LatchConditions(uint32_t conditions) const {
+  Axis& latching = core_.Changed().axes[index_];
+  latching.latched = conditions | core_.readings().ActiveCauses(latching);
+}
+
 void AxisHandle::Stop(bool abrupt) const {
   ProfileHandle(core_, index_).Stop(abrupt);
   if (core_.readings().IsGantrySlave(index_)) StopProfiles(abrupt);

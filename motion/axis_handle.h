@@ -51,12 +51,16 @@ class AxisHandle {
   void ClearStatus() const;
   /// The same of a sum of conditions, following errors left aside.
   void ClearConditions(uint32_t conditions) const;
+  /// Latches these conditions and those whose causes exist, and forgets all others: for an owner
+  /// that keeps events of its own.
+  void LatchConditions(uint32_t conditions) const;
   /// GT_Stop of one axis: stops the profile of the same number or, for the slave of a gantry, the
   /// master.
   void Stop(bool abrupt) const;
   /// Stops every profile that the axis maps.
   void StopProfiles(bool abrupt) const;
-  /// The same at a limit: abruptly, unless its coordinate system stops smoothly there.
+  /// The same at a limit: abruptly, unless its coordinate system stops smoothly there or it is a
+  /// slave that stays engaged.
   void StopProfilesAtLimit() const;
 
   // --- Positions -------------------------------------------------------------------------------

@@ -29,6 +29,16 @@ TEST(AxisHandle, KeepsAConditionWhoseCauseExists) {
   EXPECT_EQ(core.axis(0).latched, 0u);
 }
 
+TEST(AxisHandle, LatchesWhatItsOwnerKeepsAndWhatHasACause) {
+  MotionCore core({});
+  core.ProfileAt(0).SetPosition(150);
+  core.AxisAt(0).SynchPosition();
+  core.AxisAt(0).SetSoftLimits(100, -100);
+  ChangeState(core).axes[0].latched = kAlarmBit;
+  core.AxisAt(0).LatchConditions(kNegativeLimitBit);
+  EXPECT_EQ(core.axis(0).latched, kPositiveLimitBit | kNegativeLimitBit);
+}
+
 TEST(AxisHandle, NewMapsSetThePositionsToTheMappedSums) {
   MotionCore core({});
   core.ProfileAt(0).SetPosition(100);  // the axis keeps its position, 0
