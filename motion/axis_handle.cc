@@ -80,7 +80,7 @@ void AxisHandle::StopProfilesAtLimit() const {
     const bool smooth = std::ranges::any_of(core_.state.crds, [&](const Crd& crd) {
       return crd.limit_stop.smooth && crd.Drives(profile);
     });
-    ProfileHandle(core_, profile).Stop(!smooth);
+    if (!core_.state.profiles[profile].HoldAtLimit()) ProfileHandle(core_, profile).Stop(!smooth);
   });
 }
 

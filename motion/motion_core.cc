@@ -179,13 +179,17 @@ int64_t MotionCore::ClockMs() const { return ClockUs() / 1000; }
 
 void MotionCore::AdvanceProfiles() {
   const Readings present = unlaned();
-  bool crd_slaves = false;
+  const auto comes_last = [&](const Profile& profile) {
+    // Most profiles have no master.
+    return profile.FollowedMaster() != nullptr &&
+           (config_.defaults.slaves_last || present.FollowsCrd(profile));
+  };
+  bool any_last = false;
   for (size_t i = 0; i < axis_count(); ++i) {
     const Profile& profile = state_.profiles[i];
     if (!profile.now.moving || profile.driven) continue;
-    // Most profiles have no master.
-    if (profile.FollowedMaster() != nullptr && present.FollowsCrd(profile)) {
-      crd_slaves = true;
+    if (comes_last(profile)) {
+      any_last = true;
     } else {
       AdvanceProfile(i);
     }
@@ -193,9 +197,9 @@ void MotionCore::AdvanceProfiles() {
   for (size_t i = 0; i < kCrdCount; ++i) {
     if (state_.crds[i].run.running) CrdAt(i).Advance();
   }
-  if (!crd_slaves) return;
+  if (!any_last) return;
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (present.FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
+    if (comes_last(state_.profiles[i])) AdvanceProfile(i);
   }
 }
 
@@ -217,13 +221,14 @@ void MotionCore::SampleProfile(size_t index) {
 void MotionCore::BeginProfile(size_t index) {
   Profile& profile = state_.profiles[index];
   const double begin = profile.now.position;
+  const bool held = profile.gear.direct.held;
   SampleProfile(index);
   if (profile.now.position == begin) return;
   if (!unlaned().LimitForbids(index, profile.now.position - begin)) return;
   // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
-  Tell(CardEventKind::kHeldAtLimit, index, begin);
-  ProfileAt(index).Stop(true);
+  if (!held) Tell(CardEventKind::kHeldAtLimit, index, begin);
+  if (!profile.HoldAtLimit()) ProfileAt(index).Stop(true);
 }
 
 void MotionCore::MapProfiles() {

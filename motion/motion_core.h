@@ -8,7 +8,8 @@
 //
 //   1. the world's events of the instant act on the pins; inputs are sampled, timed outputs advance
 //   2. profiles, in ascending order: independent modes and the slaves of anything but a coordinate
-//      system; coordinate systems; slaves of coordinate systems
+//      system; coordinate systems; slaves of coordinate systems. All slaves come last where the
+//      family says so (CardDefaults::slaves_last)
 //   3. axes: mapping, alarm, stop inputs, limits; a stop replaces what was just planned
 //   4. compensation, input shapers; servo and plants; encoders, captures
 //   5. following error, in-position band, compare outputs

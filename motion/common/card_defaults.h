@@ -22,6 +22,9 @@ struct CardDefaults {
   /// A drive that is enabled in closed loop continues from where its axis is; false: it moves to
   /// the plan.
   bool enabling_aligns = true;
+  /// Slaves are computed after all other profiles, so that they do not lag behind; false: in the
+  /// order of their numbers, unless a coordinate system plans their masters.
+  bool slaves_last = false;
   bool spindle = false;  ///< the card has the analogue output of a spindle
 };
 

@@ -7,8 +7,8 @@
 
 namespace oncard::motion {
 
-static_assert(kFieldsComplete<GearMode> && kFieldsComplete<Master> &&
-              kFieldsComplete<MasterTravel>);
+static_assert(kFieldsComplete<GearMode> && kFieldsComplete<DirectRatio> &&
+              kFieldsComplete<Master> && kFieldsComplete<MasterTravel>);
 
 double GearMode::Direction(const MasterValue& value) const {
   const bool at_once = event == GearEvent::kStart;
@@ -17,6 +17,7 @@ double GearMode::Direction(const MasterValue& value) const {
 
 void GearMode::Start(const Sample& from, const MasterValue& value) {
   running = true;
+  direct.held = false;
   base = from.position;
   from_ratio = 0;
   to_ratio = Ratio();
@@ -32,6 +33,12 @@ void GearMode::ChangeRatio(const Sample& now) {
   to_ratio = Ratio();
   base = now.position;
   clutch = slope;
+  travel.travel = 0;
+}
+
+void GearMode::Hold(const Sample& now) {
+  direct.held = true;
+  base = now.position;
   travel.travel = 0;
 }
 
@@ -62,6 +69,7 @@ Sample GearMode::At(const Sample& now, const MasterValue& value) {
     waiting = false;
   }
   travel.MoveTo(value.position);
+  if (travel.travel != 0) direct.held = false;
   const double sign = travel.travel < 0 ? -1 : 1;
   const double x = std::fabs(travel.travel);
   double moved = 0;

@@ -2,8 +2,13 @@
 //
 // A new ratio takes effect over the clutch, `slope` pulses of the master: the ratio is linear in
 // the master's displacement, so the slave's position is a polynomial of it and no rounding
-// accumulates. If the master reverses inside the clutch, the ratio decreases again. Source: GTS
-// manual 7.5; the linear clutch is an assumption. Tested by tests/motion/gear_mode_test.cc.
+// accumulates. If the master reverses inside the clutch, the ratio decreases again.
+//
+// A family can give the ratio as one real number instead (DirectRatio). Such a slave stays engaged
+// at a limit: it rests there while its master leads on, and follows again when the master turns.
+//
+// Source: GTS manual 7.5; the linear clutch is an assumption. GT-400 manual 4.1.4 and 7.3. Tested
+// by tests/motion/gear_mode_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +27,16 @@ enum class GearEvent : uint8_t {
   kArea,   ///< when the master is between two positions
 };
 
+/// The ratio of a slave that stays engaged at limits.
+struct DirectRatio {
+  bool given = false;  ///< it replaces the ratio of two integers
+  double value = 0;    ///< slave/master
+  bool held = false;   ///< the slave rests at a limit, towards which its master leads
+
+  bool in_use() const { return given; }
+  auto Fields() const { return std::tie(given, value, held); }
+};
+
 struct GearMode {
   // Registers.
   int8_t direction = 0;  ///< GT_PrfGear: 0 both, 1 and -1 one direction of the master
@@ -33,6 +48,7 @@ struct GearMode {
   GearEvent event = GearEvent::kStart;
   int32_t event_first = 0;
   int32_t event_last = 0;
+  DirectRatio direct;
 
   // The run.
   bool running = false;
@@ -52,17 +68,21 @@ struct GearMode {
   void ChangeRatio(const Sample& now);
   /// The slave's output.
   Sample At(const Sample& now, const MasterValue& value);
+  /// Holds the slave where it is: what the master has moved so far does not move it any more.
+  void Hold(const Sample& now);
   /// Something else has taken over; the registers stay.
-  void Halt() { running = false; }
+  void Halt() { running = direct.held = false; }
 
   auto Fields() const {
     return std::tie(direction, master, ratio_set, master_even, slave_even, slope, event,
                     event_first, event_last, running, waiting, base, from_ratio, to_ratio, clutch,
-                    travel);
+                    travel, direct);
   }
 
  private:
-  double Ratio() const { return static_cast<double>(slave_even) / master_even; }
+  double Ratio() const {
+    return direct.given ? direct.value : static_cast<double>(slave_even) / master_even;
+  }
   /// `engaged`: the distance that the master has moved in the clutch, in either direction.
   double RatioAt(double engaged) const;
   /// The position of the master, between two of its positions, at which the wait ends.

@@ -44,6 +44,13 @@ void Profile::Stop(Micros instant, double deceleration) {
   stopping = false;
 }
 
+bool Profile::HoldAtLimit() {
+  if (mode != ProfileMode::kGear || !gear.running || !gear.direct.given) return false;
+  now = {now.position, 0, 0, true};
+  gear.Hold(now);
+  return true;
+}
+
 void Profile::StopSmoothly(Micros instant) {
   bool planned = false;
   VisitSelected(*this, [&]<typename Mode>(Mode& selected) {

@@ -52,6 +52,8 @@ struct Profile {
   /// Decelerates to rest; with an infinite deceleration it rests at once, in the same cycle. A stop
   /// in progress is only replaced by a faster one. Does nothing at rest.
   void Stop(Micros instant, double deceleration);
+  /// Holds a slave that stays engaged at limits (DirectRatio). Returns false for all other motion.
+  bool HoldAtLimit();
   /// Stops as the mode plans it (S), or else with the deceleration `smooth_stop`.
   void StopSmoothly(Micros instant);
   /// The output at `instant`, from the stop or from the mode's run.

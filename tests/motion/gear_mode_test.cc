@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
 #include "tests/motion/change_state.h"
 #include "tests/motion/slave_axes.h"
@@ -13,7 +16,8 @@ namespace {
 
 class GearTest : public ::testing::Test {
  protected:
-  explicit GearTest(int64_t cycle_us = 250) : core_({.axis_count = 8, .cycle_us = cycle_us}) {}
+  explicit GearTest(int64_t cycle_us = 250, const CardDefaults& defaults = {})
+      : core_({.axis_count = 8, .cycle_us = cycle_us, .defaults = defaults}) {}
 
   Profile& profile(size_t index) { return ChangeState(core_).profiles[index]; }
 
@@ -214,6 +218,136 @@ TEST_P(GearCycleTest, ValuesDoNotDependOnTheCycle) {
   EXPECT_NEAR(Slave().position, 0.25e-5 * 55000.0 * 55000.0, 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(Cycles, GearCycleTest, ::testing::Values(125, 250, 500, 1000, 2000, 4000));
+
+// --- A ratio that is one number ----------------------------------------------------------------
+
+/// Slaves come last, and stops take no time.
+class DirectGearTest : public GearTest {
+ protected:
+  DirectGearTest()
+      : GearTest(1000, {.abrupt_stop = std::numeric_limits<double>::infinity(),
+                        .filter_ticks = 1,
+                        .slaves_last = true}) {}
+
+  void Engage(size_t slave, Master master, double ratio) {
+    profile(slave).mode = ProfileMode::kGear;
+    profile(slave).gear.master = master;
+    profile(slave).gear.direct = {true, ratio};
+    core_.ProfileAt(slave).Start();
+  }
+  void Engage(size_t slave, size_t master, double ratio) {
+    Engage(slave, {true, MasterType::kProfile, static_cast<uint8_t>(master), false}, ratio);
+  }
+  void SetLimit(DiType type, bool active) {
+    ChangeState(core_).io.SetPin(type, kSlave, active);
+    core_.Tick();
+  }
+  bool Held() { return profile(kSlave).gear.direct.held; }
+};
+
+TEST_F(DirectGearTest, TheRatioHoldsFromThePresentPositionOn) {
+  Jog(kMaster, 1, 10);
+  RunTo(20);
+  const double begin = profile(kMaster).now.position;
+  Engage(kSlave, kMaster, -1.2345);
+  RunTo(50);
+  EXPECT_DOUBLE_EQ(Slave().position, (profile(kMaster).now.position - begin) * -1.2345);
+  EXPECT_DOUBLE_EQ(Slave().velocity, -12.345);
+  EXPECT_TRUE(Slave().moving);
+}
+
+TEST_F(DirectGearTest, AnotherRatioInMotionHoldsFromThereOn) {
+  Jog(kMaster, 10, 10);
+  Engage(kSlave, kMaster, 0.5);
+  RunTo(11);  // the master is at 105
+  Engage(kSlave, kMaster, 3);
+  RunTo(21);
+  EXPECT_DOUBLE_EQ(Slave().position, 52.5 + 300);
+}
+
+// Ticks of 1 ms at 10 pulse/ms: a slave that lags would be 10 pulses behind.
+TEST_F(DirectGearTest, SlavesOfLaterAxesDoNotLag) {
+  Jog(5, 10, 10);
+  Engage(0, 5, 1);
+  Engage(1, 0, 0.5);
+  RunTo(10);
+  EXPECT_DOUBLE_EQ(profile(5).now.position, 95);
+  EXPECT_DOUBLE_EQ(profile(0).now.position, 95);
+  EXPECT_DOUBLE_EQ(profile(1).now.position, 47.5);
+}
+
+TEST_F(DirectGearTest, ALaterSlaveOfASlaveIsFollowedACycleLater) {
+  Jog(5, 10, 10);
+  Engage(1, 5, 1);
+  Engage(0, 1, 1);
+  RunTo(10);
+  EXPECT_DOUBLE_EQ(profile(1).now.position, 95);
+  EXPECT_DOUBLE_EQ(profile(0).now.position, 85);
+}
+
+TEST_F(DirectGearTest, AnAuxiliaryEncoderLeadsAsOfTheCycleBefore) {
+  Engage(kSlave, {true, MasterType::kEncoder, kAuxiliaryFirst + 1, false}, 0.25);
+  ChangeState(core_).plants[kAuxiliaryFirst + 1].hand = 8;
+  RunTo(10);
+  EXPECT_DOUBLE_EQ(Slave().position, 18);
+}
+
+// The master goes on: what it does towards the limit does not move the slave, what it does away
+// from it does, from the first cycle on.
+TEST_F(DirectGearTest, ALimitHoldsTheSlaveUntilItsMasterTurns) {
+  Jog(kMaster, 10, 10);
+  Engage(kSlave, kMaster, 2);
+  RunTo(10);
+  SetLimit(DiType::kLimitPositive, true);
+  const double held = Slave().position;
+  EXPECT_EQ(held, 2 * profile(kMaster).now.position);
+  EXPECT_TRUE(Held());
+  EXPECT_EQ(Slave().velocity, 0);
+  RunTo(20);
+  EXPECT_EQ(Slave().position, held);
+  EXPECT_TRUE(Held());
+  Jog(kMaster, 20, -10);  // 10, 0, then -10 pulse/ms: forward by 5, then back by 5
+  RunTo(21);
+  const double turned = profile(kMaster).now.position;
+  EXPECT_EQ(Slave().position, held);
+  RunTo(25);
+  EXPECT_FALSE(Held());
+  EXPECT_DOUBLE_EQ(Slave().position, held + 2 * (profile(kMaster).now.position - turned));
+}
+
+TEST_F(DirectGearTest, AnActiveLimitHoldsTheSlaveBeforeItMoves) {
+  SetLimit(DiType::kLimitNegative, true);
+  Engage(kSlave, kMaster, -1);
+  core_.Tick();
+  EXPECT_FALSE(Held()) << "nothing leads it anywhere";
+  Jog(kMaster, 10, 10);
+  RunTo(20);
+  EXPECT_EQ(Slave().position, 0);
+  EXPECT_TRUE(Held());
+}
+
+TEST_F(DirectGearTest, AStopEndsTheGearOfAHeldSlave) {
+  SetLimit(DiType::kLimitPositive, true);
+  Engage(kSlave, kMaster, 1);
+  Jog(kMaster, 10, 10);
+  RunTo(5);
+  core_.ProfileAt(kSlave).Stop(true);
+  EXPECT_FALSE(Slave().moving);
+  EXPECT_FALSE(Held());
+  Jog(kMaster, 10, -10);
+  RunTo(10);
+  EXPECT_EQ(Slave().position, 0);
+}
+
+// A card that does not use it has the hash of one that does not know it.
+TEST(DirectRatio, IsNoPartOfTheHashWithoutAValue) {
+  GearMode gear;
+  const uint64_t before = StateHash().Add(gear).value();
+  gear.direct.value = 2;
+  EXPECT_EQ(StateHash().Add(gear).value(), before);
+  gear.direct.given = true;
+  EXPECT_NE(StateHash().Add(gear).value(), before);
+}
 
 }  // namespace
 }  // namespace oncard::motion
