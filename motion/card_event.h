@@ -22,8 +22,9 @@ enum class CardEventKind : uint8_t {
   kEncoderSilent,   ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
   kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
   kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
-  kMovedByPath,     ///< GT_BufMove or GT_BufGear begins to move the axis while its drive is off;
-                    ///< `bound`: coordinate system, from 0
+  // Of an axis that begins to move while its drive is off; `bound`: coordinate system, from 0.
+  kMovedBySegment,
+  kMovedByPath,  ///< by GT_BufMove or GT_BufGear
   // Of an axis, beyond what its drive and mechanics can follow (DriveLimits); `bound`: the limit.
   kTooFast,   ///< `value`: its planned velocity, pulse/ms
   kTooSteep,  ///< `value`: its planned acceleration, or the mean one of a cycle, pulse/ms^2

@@ -265,7 +265,7 @@ void CrdDriver::StartMove(const BufferedCommand& command) {
   profile.trap.target = static_cast<int32_t>(command.values[0]);
   profile.trap.velocity = command.values[1];
   profile.Start(card_.now());
-  card_.TellDriveOff(command.item);
+  card_.TellDriveOff(CardEventKind::kMovedByPath, command.item);
   if (command.detail != 0) crd_.AwaitMove(command);
 }
 
@@ -295,7 +295,7 @@ void CrdDriver::StartGear(const BufferedCommand& command) {
   Profile& profile = card_.profile(command.item);
   if (profile.now.moving || crd_.gear_count == crd_.gears.size()) return;
   profile.driven = true;
-  card_.TellDriveOff(command.item);
+  card_.TellDriveOff(CardEventKind::kMovedByPath, command.item);
   crd_.gears[crd_.gear_count++] = {command.item,      profile.now.position, command.values[0],
                                    command.values[1], command.values[2],    false};
 }
@@ -317,9 +317,13 @@ void CrdDriver::Write() {
   if (crd_.map) return WriteMapped(tangent, curvature);
   for (size_t i = 0; i < crd_.dimension(); ++i) {
     Profile& member = card_.profile(crd_.members[i]);
+    const bool rested = member.now.velocity == 0;
     member.now = {crd_.origin[i] + crd_.position[i], tangent[i] * speed,
                   tangent[i] * crd_.run.acceleration + curvature[i] * speed * speed, running};
     member.driven = running;
+    if (rested && member.now.velocity != 0) {
+      card_.TellDriveOff(CardEventKind::kMovedBySegment, crd_.members[i]);
+    }
   }
   uint32_t kept = 0;
   for (uint32_t i = 0; i < crd_.gear_count; ++i) {

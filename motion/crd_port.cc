@@ -32,10 +32,10 @@ void CarryOutLaser(const BufferedCommand& command, Laser* laser) {
 
 }  // namespace
 
-void CrdPort::TellDriveOff(int32_t profile) const {
+void CrdPort::TellDriveOff(CardEventKind kind, int32_t profile) const {
   if (!observed()) return;
   const auto axis = core_.readings().AxisWithDriveOff(static_cast<size_t>(profile));
-  if (axis) core_.observer({CardEventKind::kMovedByPath, *axis, 0, static_cast<double>(index_)});
+  if (axis) core_.observer({kind, *axis, 0, static_cast<double>(index_)});
 }
 
 void CrdPort::CarryOut(const BufferedCommand& command) {

@@ -30,8 +30,8 @@ class CrdPort {
   void Tell(CardEventKind kind, double value, double bound = 0) const {
     if (observed()) core_.observer({kind, index_, value, bound});
   }
-  /// Tells of an axis that the profile begins to move while the drive is off.
-  void TellDriveOff(int32_t profile) const;
+  /// Tells of an axis that the profile begins to move while the drive is off; `kind`: kMovedBy...
+  void TellDriveOff(CardEventKind kind, int32_t profile) const;
 
  private:
   CoreParts core_;

@@ -113,6 +113,7 @@ bool StopsAxis(const motion::MotionCore& core, const motion::CardEvent& event) {
     case CardEventKind::kGantrySkew:
     case CardEventKind::kHeldAtLimit:
       return true;
+    case CardEventKind::kMovedBySegment:
     case CardEventKind::kMovedByPath:
     case CardEventKind::kTooFast:
     case CardEventKind::kTooSteep:
@@ -385,14 +386,19 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
                         controller_.family().advised.velocity));
 }
 
+Message Supervisor::DescribeDriveOff(size_t axis) const {
+  return MakeMessage("axis {0} moves while its drive is off, call {1} first",
+                     "轴 {0} 在伺服使能关闭时运动，请先调用 {1}", axis + 1,
+                     controller_.family().advised.drive_on);
+}
+
 void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
+  // A path says itself which of its members it moves.
+  if (core().profile(index).mode == ProfileMode::kCrd) return;
   const std::optional<size_t> off = core().readings().AxisWithDriveOff(index);
   // A profile without an axis, or one that only leads others, needs no drive.
   if (!off || IsMaster(core().state(), index)) return;
-  Add(CardWarning::kDriveOff, call, *off,
-      MakeMessage("axis {0} moves while its drive is off, call {1} first",
-                  "轴 {0} 在伺服使能关闭时运动，请先调用 {1}", *off + 1,
-                  controller_.family().advised.drive_on));
+  Add(CardWarning::kDriveOff, call, *off, DescribeDriveOff(*off));
 }
 
 // --- What the card does by itself ----------------------------------------------------------------
@@ -412,13 +418,22 @@ void Supervisor::NoteMovedByPath(const motion::CardEvent& event) {
   motion::ForEachBit(state.axes[event.item].profile_map, motion::kAxisMax,
                      [&](size_t profile) { leads = leads || IsMaster(state, profile); });
   if (leads) return;
+  if (event.kind == motion::CardEventKind::kMovedBySegment) {
+    const CallSite& site = history_->profiles[event.item].started;
+    Add(KeyOf(CardWarning::kDriveOff, site, event.item), PlaceOfSite(site),
+        DescribeDriveOff(event.item), controller_.NowUs());
+    return;
+  }
   Add({CardWarning::kDriveOff, 0, static_cast<int>(event.bound), static_cast<int>(event.item),
        "path"},
       {}, DescribeCardEvent(event, controller_.family().advised), controller_.NowUs());
 }
 
 void Supervisor::Happened(const motion::CardEvent& event) {
-  if (event.kind == motion::CardEventKind::kMovedByPath) return NoteMovedByPath(event);
+  if (event.kind == motion::CardEventKind::kMovedBySegment ||
+      event.kind == motion::CardEventKind::kMovedByPath) {
+    return NoteMovedByPath(event);
+  }
   if (event.kind == motion::CardEventKind::kTooFast ||
       event.kind == motion::CardEventKind::kTooSteep) {
     return NoteBeyondLimit(event);

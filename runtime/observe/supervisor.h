@@ -121,6 +121,7 @@ class Supervisor final : public CardObserver {
   CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
   /// An axis begins to move beyond what its drive can follow.
   void NoteBeyondLimit(const motion::CardEvent& event);
+  Message DescribeDriveOff(size_t axis) const;
   /// A path begins to move an axis whose drive is off.
   void NoteMovedByPath(const motion::CardEvent& event);
   void JudgeStop(size_t axis);

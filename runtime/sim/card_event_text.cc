@@ -67,6 +67,12 @@ Message DescribeCardEvent(const motion::CardEvent& event,
     case CardEventKind::kHeldAtLimit:
       return MakeMessage("profile {0} is held at {1}: it would move towards a latched limit",
                          "规划器 {0} 停在 {1}：其运动方向上的限位已锁存", item, value);
+    case CardEventKind::kMovedBySegment:
+      return MakeMessage(
+          "a segment of coordinate system {1} moves axis {0} while its drive is off, call {2} "
+          "first",
+          "坐标系 {1} 的轨迹段使轴 {0} 在伺服使能关闭时运动，请先调用 {2}", item, bound + 1,
+          commands.drive_on);
     case CardEventKind::kMovedByPath:
       return MakeMessage(
           "{2} or {3} of coordinate system {1} moves axis {0} while its drive is off, call {4} "

@@ -71,6 +71,7 @@ TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
 
 TEST(DriveLimits, ARampThatBeginsWithinACycleIsTooSteep) {
   CrdRunTest test;
+  test.core.AxisAt(0).ServoOn();
   test.core.WatchLimits(0, {.acceleration = 5});
   std::vector<CardEvent> events;
   test.core.Observe([&](const CardEvent& event) { events.push_back(event); });
@@ -92,7 +93,10 @@ TEST(DriveLimits, ARampThatBeginsWithinACycleIsTooSteep) {
 
 TEST(DriveLimits, ACornerIsTooSteepForTheAxisThatTurnsAwayAndTheOneThatBegins) {
   CrdRunTest test;
-  for (size_t axis = 0; axis < 2; ++axis) test.core.WatchLimits(axis, {.acceleration = 1});
+  for (size_t axis = 0; axis < 2; ++axis) {
+    test.core.AxisAt(axis).ServoOn();
+    test.core.WatchLimits(axis, {.acceleration = 1});
+  }
   std::vector<CardEvent> events;
   test.core.Observe([&](const CardEvent& event) { events.push_back(event); });
   // 10 pulse/ms is reached at 100, after 20 ms, and the corner after 21 ms.

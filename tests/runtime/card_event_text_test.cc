@@ -178,6 +178,20 @@ TEST(CardEvent, AnAxisThatAPathMovesWhileItsDriveIsOff) {
                               "its drive is off, call GT_AxisOn first"}));
 }
 
+TEST(CardEvent, ASegmentThatMovesAnAxisThatIsOff) {
+  TalkingCard card;
+  card.core.AxisAt(1).ServoOff();
+  card.SetUpPath();
+  ASSERT_TRUE(card.Line({1000, 0}, 0));
+  card.core.CrdAt(0).Start(0, false);
+  card.Ticks(50);
+  EXPECT_EQ(card.said, Lines{});
+  ASSERT_TRUE(card.Line({1000, 1000}, 0));
+  card.Ticks(100);
+  EXPECT_EQ(card.said, (Lines{"a segment of coordinate system 1 moves axis 2 while its drive is "
+                              "off, call GT_AxisOn first"}));
+}
+
 TEST(CardEvent, WhatLookAheadDoes) {
   TalkingCard card;
   card.SetUpPath();

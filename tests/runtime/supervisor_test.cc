@@ -94,6 +94,57 @@ TEST(DriveOff, IsToldOfEachAxisThatACallStarts) {
   }
 }
 
+/// Lines through points, on axes 1 and 2.
+void AppendLines(const std::vector<motion::Coordinates>& points, motion::MotionCore* core) {
+  motion::CrdParameters parameters;
+  parameters.dimension = 2;
+  parameters.coordinates = {1, 2};
+  parameters.velocity_max = 100;
+  parameters.acceleration_max = 10;
+  core->CrdAt(0).SetUp(parameters);
+  motion::Coordinates start{};
+  for (const motion::Coordinates& point : points) {
+    motion::PathSlot slot;
+    slot.is_segment = true;
+    slot.segment = *motion::MakeLine(start, point);
+    slot.velocity = 10;
+    slot.acceleration = 1;
+    EXPECT_TRUE(core->CrdAt(0).Append(0, slot));
+    start = point;
+  }
+}
+
+/// What is found of a program that starts lines in line 4, with the drive of axis 1 on.
+std::vector<std::string> WarningsOfLines(const std::vector<motion::Coordinates>& points) {
+  Controller controller;
+  EXPECT_TRUE(controller.Load(CompileForTest(Program("  GT_CrdStart(1, 0);\n"))).ok());
+  Supervisor supervisor(&controller);
+  controller.motion().AxisAt(0).ServoOn();
+  AppendLines(points, &controller.motion());
+  EXPECT_EQ(controller.machine().Bind(0, 1, 0), vm::kOk);
+  EXPECT_EQ(controller.machine().Run(0), vm::kOk);
+  controller.RunCycles(400);
+  EXPECT_FALSE(controller.motion().state().crds[0].run.running);
+  std::vector<std::string> texts;
+  for (const CardFinding& finding : supervisor.findings()) {
+    texts.push_back(DescribeFinding(finding, "p.c").en);
+  }
+  return texts;
+}
+
+TEST(DriveOff, IsNothingOfACoordinateThatNoSegmentMoves) {
+  EXPECT_THAT(WarningsOfLines({{100, 0}, {200, 0}}), IsEmpty());
+}
+
+// From 0.25 ms on, a line of 100 pulses takes 10 ms to 10 pulse/ms, and as much to rest.
+TEST(DriveOff, IsWarnedOfWhenASegmentMovesTheCoordinate) {
+  EXPECT_THAT(
+      WarningsOfLines({{100, 0}, {100, 100}, {200, 200}}),
+      ElementsAre(AllOf(StartsWith("p.c:4: thread 0 f: axis 2 moves while its drive is off"),
+                        HasSubstr("call GT_AxisOn first (first at 20.5 ms, 2 times)"),
+                        HasSubstr("[drive-off]"))));
+}
+
 /// A path of axes 1 and 2 that begins with a command for another axis.
 std::vector<std::string> WarningsOfPath(const motion::BufferedCommand& command,
                                         const std::set<size_t>& on) {
