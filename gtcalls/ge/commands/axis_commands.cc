@@ -2,6 +2,7 @@
 // 12. Tested by tests/gtcalls/ge/axis_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
 #include "gtcalls/ge/status_words.h"
+#include "gtcalls/shared/senses.h"
 
 namespace oncard::gtcalls::ge {
 namespace {
@@ -53,22 +54,13 @@ int16_t GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
 int16_t GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
 
 int16_t GT_LmtSns(Call& call) {
-  const auto sense = static_cast<uint32_t>(call.integer(0));
-  uint32_t positive = 0;
-  uint32_t negative = 0;
-  for (int axis = 0; axis < kAxisMax; ++axis) {
-    positive |= (sense >> (2 * axis) & 1) << axis;
-    negative |= (sense >> (2 * axis + 1) & 1) << axis;
-  }
-  call.card.motion.digital_io().SetInverted(DiType::kLimitPositive, positive);
-  call.card.motion.digital_io().SetInverted(DiType::kLimitNegative, negative);
+  InvertLimits(static_cast<uint32_t>(call.integer(0)), call.card.motion);
   return vm::kOk;
 }
 
 int16_t GT_EncSns(Call& call) {
-  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-    call.card.motion.EncoderAt(axis).SetSense((call.integer(0) >> axis & 1) != 0);
-  }
+  motion::MotionCore& core = call.card.motion;
+  ReverseEncoders(static_cast<uint32_t>(call.integer(0)), 0, core.axis_count(), core);
   return vm::kOk;
 }
 

@@ -4,6 +4,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/numbers.h"
+#include "gtcalls/shared/senses.h"
 
 namespace oncard::gtcalls::gts {
 namespace {
@@ -126,17 +127,8 @@ int16_t GT_SetDiReverseCount(Call& call) {
   return vm::kOk;
 }
 
-/// Bits 2(n-1) and 2(n-1)+1: the positive and the negative limit of axis n are active low.
 int16_t GT_LmtSns(Call& call) {
-  const uint32_t sense = BitWord(call.value(0));
-  uint32_t positive = 0;
-  uint32_t negative = 0;
-  for (int axis = 0; axis < DiWidth(DiType::kLimitPositive); ++axis) {
-    positive |= (sense >> (2 * axis) & 1) << axis;
-    negative |= (sense >> (2 * axis + 1) & 1) << axis;
-  }
-  ChangeIo(call).SetInverted(DiType::kLimitPositive, positive);
-  ChangeIo(call).SetInverted(DiType::kLimitNegative, negative);
+  InvertLimits(BitWord(call.value(0)), call.card.motion);
   return vm::kOk;
 }
 

@@ -2,6 +2,7 @@
 // Source: GTS manual chapters 4.3.2 and 4.5.2, table 10-2; the GE manual for the pulse outputs.
 // Tested by tests/gtcalls/encoder_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/shared/senses.h"
 
 namespace oncard::gtcalls::gts {
 
@@ -24,14 +25,9 @@ int16_t GT_EncOff(Call& call) {
   return vm::kOk;
 }
 
-/// Bit n-1 reverses encoder n.
+/// Bit n-1 reverses encoder n, auxiliary ones included.
 int16_t GT_EncSns(Call& call) {
-  const uint32_t sense = BitWord(call.value(0));
-  for (size_t i = 0; i < kAxisMax; ++i) {
-    if (call.card.motion.HasEncoder(i)) {
-      call.card.motion.EncoderAt(i).SetSense((sense >> i & 1) != 0);
-    }
-  }
+  ReverseEncoders(BitWord(call.value(0)), 0, kAxisMax, call.card.motion);
   return vm::kOk;
 }
 
