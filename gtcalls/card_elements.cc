@@ -31,6 +31,21 @@ size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first
   return 1;
 }
 
+std::optional<size_t> ElementsBehind(const Command& command, const Parameter& parameter,
+                                     std::span<const vm::CommandArgument> arguments,
+                                     const Card* card) {
+  if (parameter.CountedByCard()) {
+    return card == nullptr ? 0 : ElementsOnCard(parameter, *card, arguments[0].value);
+  }
+  if (parameter.count_parameter < 0) return 1;
+  const auto index = static_cast<size_t>(parameter.count_parameter);
+  const Parameter& counter = command.parameters[index];
+  const double count = arguments[index].value;
+  // Written so that the check fails for a NaN.
+  if (!(count >= counter.minimum && count <= counter.maximum)) return std::nullopt;
+  return static_cast<size_t>(count);
+}
+
 size_t CellsPerElement(const Parameter& parameter) {
   if (parameter.passing == Passing::kHostMemory) return ArraysOf(*parameter.structure).size();
   return static_cast<size_t>(parameter.structure != nullptr ? CellCount(*parameter.structure)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "gtcalls/card.h"
@@ -18,6 +19,13 @@ size_t CrdDimension(const Card& card, double crd);
 /// Elements behind a pointer parameter without a count: one, or as many as the card has now if it
 /// counts them. `first` is the command's first argument.
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first);
+
+/// Elements behind a pointer parameter of a call: as many as another argument says, else as above;
+/// nothing if that argument is out of its range, in which case the host library refuses the call.
+/// Without a card those that it counts are 0.
+std::optional<size_t> ElementsBehind(const Command& command, const Parameter& parameter,
+                                     std::span<const vm::CommandArgument> arguments,
+                                     const Card* card);
 
 /// Number of cells for one element of a pointer parameter: one, or one per scalar of the structure;
 /// of Passing::kHostMemory one per array.

@@ -111,21 +111,6 @@ Error BadPointer(const Parameter& parameter, const void* pointer) {
       "参数 {} 为数值 {}；应传入变量的地址", parameter.name, reinterpret_cast<uintptr_t>(pointer));
 }
 
-/// The number of elements that a pointer argument refers to; empty if the parameter with the number
-/// is out of its range.
-std::optional<size_t> ElementCount(const Command& command, const Parameter& parameter,
-                                   const gtcalls::Card* card, const MarshalledCall& call) {
-  if (parameter.CountedByCard()) {
-    return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
-  }
-  if (parameter.count_parameter < 0) return 1;
-  const auto index = static_cast<size_t>(parameter.count_parameter);
-  const Parameter& counter = command.parameters[index];
-  const double count = call.arguments[index].value;
-  if (!(count >= counter.minimum && count <= counter.maximum)) return std::nullopt;
-  return static_cast<size_t>(count);
-}
-
 Error BadCount(const Command& command, const Parameter& parameter, const MarshalledCall& call) {
   const auto index = static_cast<size_t>(parameter.count_parameter);
   const Parameter& counter = command.parameters[index];
@@ -232,7 +217,7 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
   size_t total = 0;
   ForEachIn(call->with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
-    const auto count = ElementCount(command, parameter, card, *call);
+    const auto count = ElementsBehind(command, parameter, call->arguments, card);
     if (!count) {
       fail(BadCount(command, parameter, *call));
       call->arguments[i].null = true;

@@ -3,7 +3,6 @@
 // takes part by its row in families.def.
 #include <array>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -68,7 +67,7 @@ class FuzzedCard {
     for (size_t i = 0; i < used.size(); ++i) {
       const Parameter& parameter = command.parameters[i];
       if (parameter.passing == Passing::kValue) continue;
-      const std::optional<size_t> elements = Elements(command, parameter, used);
+      const auto elements = gtcalls::ElementsBehind(command, parameter, used, &controller_.card());
       used[i].null = bytes->Byte() % 16 == 0 || !elements;
       used[i].host = name_.data();
       if (used[i].null) continue;
@@ -77,19 +76,6 @@ class FuzzedCard {
     }
     Message reason;
     controller_.Execute(command, used, &reason);
-  }
-
-  /// The elements behind a pointer; nothing for a number of them that the host library refuses.
-  std::optional<size_t> Elements(const Command& command, const Parameter& parameter,
-                                 std::span<const vm::CommandArgument> arguments) {
-    if (parameter.count_parameter < 0) {
-      return gtcalls::ElementsOnCard(parameter, controller_.card(), arguments[0].value);
-    }
-    const auto index = static_cast<size_t>(parameter.count_parameter);
-    const Parameter& counter = command.parameters[index];
-    const double count = arguments[index].value;
-    if (!(count >= counter.minimum && count <= counter.maximum)) return std::nullopt;
-    return static_cast<size_t>(count);
   }
 
   /// The values behind a pointer: zeros for an output.

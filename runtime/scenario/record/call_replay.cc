@@ -24,10 +24,11 @@ class Arguments {
     std::array<size_t, gtcalls::kParameterMax> counts{};
     size_t total = 0;
     count_ = call.arguments.size();
+    // Values first: among them are the numbers of elements.
+    for (size_t i = 0; i < count_; ++i) arguments_[i].value = call.arguments[i].value;
     for (size_t i = 0; i < count_; ++i) {
       vm::CommandArgument& argument = arguments_[i];
       const RecordedCall::Argument& recorded = call.arguments[i];
-      argument.value = recorded.value;
       argument.null = recorded.null || recorded.unread;
       if (!recorded.null) argument.host = const_cast<char*>(recorded.text.c_str());
       if (argument.null) continue;
@@ -61,20 +62,10 @@ class Arguments {
  private:
   /// The cells behind a pointer.
   size_t CellsOf(const RecordedCall& call, const Parameter& parameter, const gtcalls::Card& card) {
-    const size_t per_element = gtcalls::CellsPerElement(parameter);
-    if (parameter.CountedByCard()) {
-      return per_element * gtcalls::ElementsOnCard(parameter, card, call.arguments[0].value);
-    }
-    if (parameter.count_parameter < 0) return per_element;
-    const auto index = static_cast<size_t>(parameter.count_parameter);
-    const double count = call.arguments[index].value;
-    const Parameter& counter = call.command->parameters[index];
+    const auto elements = gtcalls::ElementsBehind(*call.command, parameter, span(), &card);
     // The host library has refused all others.
-    if (!(count >= counter.minimum && count <= counter.maximum)) {
-      fits_ = false;
-      return 0;
-    }
-    return per_element * static_cast<size_t>(count);
+    if (!elements) fits_ = false;
+    return elements.value_or(0) * gtcalls::CellsPerElement(parameter);
   }
 
   std::array<vm::CommandArgument, gtcalls::kParameterMax> arguments_{};
