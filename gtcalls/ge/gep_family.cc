@@ -30,20 +30,11 @@ constexpr CardType kCardTypes[] = {
 #include "gtcalls/ge/gep_card_types.def"
 };
 
-constexpr size_t kCommandCount = 0
-#define COMMAND(...) +1
-#include "gtcalls/ge/gep_catalogue.def"
-    ;
+/// All commands are supported.
+constexpr bool IsUnsupported(std::string_view) { return false; }
 
-/// The functions of the commands; the index is the command's number - 1.
-constexpr auto kFunctions = [] {
-  using words::Callers;
-  std::array<CommandFunction, kCommandCount> functions{};
-#define COMMAND(number, name, tier, callers, ...) \
-  if constexpr (Callers::callers != Callers::kLibrary) functions[number - 1u] = gep::name;
-#include "gtcalls/ge/gep_catalogue.def"
-  return functions;
-}();
+#define FAMILY_COMMANDS "gtcalls/ge/gep_catalogue.def"
+#include "gtcalls/rows/functions.inc"
 
 /// Assumption: an automatic stop leaves the drive enabled.
 void StopBeyondErrorLimit(const Card& card) {

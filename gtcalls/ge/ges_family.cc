@@ -31,22 +31,8 @@ constexpr CardType kCardTypes[] = {
 #include "gtcalls/ge/ges_card_types.def"
 };
 
-constexpr size_t kCommandCount = 0
-#define COMMAND(...) +1
-#include "gtcalls/ge/ges_catalogue.def"
-    ;
-
-/// The functions of the commands; the index is the command's number - 1.
-constexpr auto kFunctions = [] {
-  using words::Callers;
-  std::array<CommandFunction, kCommandCount> functions{};
-#define COMMAND(number, name, tier, callers, ...)                                 \
-  if constexpr (Callers::callers != Callers::kLibrary && !IsUnsupported(#name)) { \
-    functions[number - 1u] = ges::name;                                           \
-  }
-#include "gtcalls/ge/ges_catalogue.def"
-  return functions;
-}();
+#define FAMILY_COMMANDS "gtcalls/ge/ges_catalogue.def"
+#include "gtcalls/rows/functions.inc"
 
 /// Why a command was refused: what it has said itself; codes of geometry and feeds are figures that
 /// are not correct; and a command that the card does not have has no function.

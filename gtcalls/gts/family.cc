@@ -17,6 +17,15 @@
 #include "gtcalls/gts/words.h"
 
 namespace oncard::gtcalls {
+namespace gts {
+namespace {
+
+#define FAMILY_COMMANDS "gtcalls/gts/catalogue.def"
+#include "gtcalls/rows/functions.inc"
+
+}  // namespace
+}  // namespace gts
+
 namespace {
 
 // What GTS commands accept fits into the cores.
@@ -65,25 +74,6 @@ int64_t CostUs(const Command& command) {
   return kHostCallUs;
 }
 
-constexpr size_t kCommandCount = 0
-#define COMMAND(...) +1
-#include "gtcalls/gts/catalogue.def"
-    ;
-
-constexpr bool HasFunction(std::string_view name, gts::words::Callers callers) {
-  return callers != gts::words::Callers::kLibrary && !gts::IsUnsupported(name);
-}
-
-/// The functions of the commands; the index is the command's number - 1.
-constexpr auto kFunctions = [] {
-  using gts::words::Callers;
-  std::array<CommandFunction, kCommandCount> functions{};
-#define COMMAND(number, name, tier, callers, ...) \
-  if constexpr (HasFunction(#name, Callers::callers)) functions[number - 1u] = gts::name;
-#include "gtcalls/gts/catalogue.def"
-  return functions;
-}();
-
 FamilyState NewState() { return GtsState(); }
 
 GtsState& StateIn(FamilyState& state) { return *std::get_if<GtsState>(&state); }
@@ -106,7 +96,7 @@ const Family& GtsFamily() {
   static const Family kFamily = {
       .name = "gts",
       .catalogue = GtsCatalogue(),
-      .functions = kFunctions,
+      .functions = gts::kFunctions,
       .not_supported = kNotSupported,
       .not_open = kNotOpen,
       .open_failed = kOpenFailed,
