@@ -79,8 +79,12 @@ struct Family {
   std::string_view close_command;
   std::span<const std::string_view> reset_commands;
   /// The reason why a command has no function; nullptr for commands of the host library.
-  const Message* (*why_unsupported)(const Command& command);
-  MotionRole (*motion_role)(const Command& command);
+  const Message* (*why_unsupported)(const Command& command) = [](const Command&) -> const Message* {
+    return nullptr;
+  };
+  MotionRole (*motion_role)(const Command& command) = [](const Command&) {
+    return MotionRole::kNone;
+  };
   AdvisedCommands advised;
   /// Acts after every command that the card has been given, refused ones included, with its return
   /// code; returns the code that the caller gets. nullptr: the code is kept.
@@ -102,30 +106,34 @@ struct Family {
   /// The number of a profile's mode, as the family's commands return it.
   int (*mode_number)(motion::ProfileMode mode);
 
-  // The family's own state of a card, and its part of the card's cycle.
+  // The family's own state of a card, and its part of the card's cycle. What a family leaves out
+  // does nothing.
 
   /// The state at power-on.
   FamilyState (*new_state)();
   /// The state after a reset of the card.
   void (*reset)(FamilyState& state);
   /// Clears what belongs to the program, because another one has been loaded.
-  void (*forget_program)(FamilyState& state);
+  void (*forget_program)(FamilyState& state) = [](FamilyState&) {};
   /// Runs after the motion tick of each cycle.
-  void (*after_tick)(Card& card);
+  void (*after_tick)(Card& card) = [](Card&) {};
   /// Runs before the threads' statements of each cycle, after their delays have ended.
-  void (*before_threads)(Card& card);
+  void (*before_threads)(Card& card) = [](Card&) {};
   /// How many cycles can pass before one in which the two above have work: 0 if they have it in
   /// the next one, kNeverActs. Before, after_tick has only work after a tick in which a path
   /// reached commands for the owner of the core.
-  int64_t (*cycles_before_act)(const CardView& card);
+  int64_t (*cycles_before_act)(const CardView& card) = [](const CardView&) { return kNeverActs; };
   /// True if variables of the program can still be written by something other than threads and the
   /// host.
-  bool (*writes_variables)(const CardView& card);
+  bool (*writes_variables)(const CardView& card) = [](const CardView&) { return false; };
   /// What survives that the card is switched off, as the text of a file.
-  std::string (*memory_text)(const FamilyState& state);
+  std::string (*memory_text)(const FamilyState& state) = [](const FamilyState&) {
+    return std::string();
+  };
   /// Puts it back into a card that is switched on. Fails, without a change, with the first line
   /// that is not as it must be; `path` is the file's name in the message.
-  Result<void> (*restore_memory)(std::string_view text, std::string_view path, FamilyState& state);
+  Result<void> (*restore_memory)(std::string_view text, std::string_view path, FamilyState& state) =
+      [](std::string_view, std::string_view, FamilyState&) { return Result<void>(); };
 
   /// The configuration of a motion core for a card of that type; nullptr: of the default one.
   motion::MotionConfig Configured(motion::MotionConfig config,

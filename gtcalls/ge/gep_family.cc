@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <string>
 #include <string_view>
 
 #include "gtcalls/ge/command_register.h"
@@ -72,8 +71,6 @@ const Family& GepFamily() {
       .open_command = "GT_Open",
       .close_command = "GT_Close",
       .reset_commands = ge::kResetCommands,
-      .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
-      .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetVel",
                   .clear_status = "GT_ClrSts",
@@ -91,14 +88,8 @@ const Family& GepFamily() {
       .mode_number = gep::ModeNumber,
       .new_state = [] { return FamilyState(GeState()); },
       .reset = [](FamilyState& state) { state = GeState(); },
-      .forget_program = [](FamilyState&) {},
       .after_tick = AfterTick,
-      .before_threads = [](Card&) {},
       .cycles_before_act = CyclesBeforeAct,
-      .writes_variables = [](const CardView&) { return false; },
-      .memory_text = [](const FamilyState&) { return std::string(); },
-      .restore_memory = [](std::string_view, std::string_view,
-                           FamilyState&) { return Result<void>(); },
   };
   return kFamily;
 }

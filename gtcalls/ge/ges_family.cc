@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "gtcalls/ge/command_register.h"
@@ -87,7 +86,6 @@ const Family& GesFamily() {
       .close_command = "GT_Close",
       .reset_commands = ge::kResetCommands,
       .why_unsupported = WhyUnsupported,
-      .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetSynVel",
                   .clear_status = "GT_ClrSts",
@@ -108,14 +106,8 @@ const Family& GesFamily() {
       .mode_number = [](motion::ProfileMode) { return 0; },
       .new_state = [] { return FamilyState(NewState()); },
       .reset = [](FamilyState& state) { state = NewState(); },
-      .forget_program = [](FamilyState&) {},
       .after_tick = AfterTick,
-      .before_threads = [](Card&) {},
       .cycles_before_act = CyclesBeforeAct,
-      .writes_variables = [](const CardView&) { return false; },
-      .memory_text = [](const FamilyState&) { return std::string(); },
-      .restore_memory = [](std::string_view, std::string_view,
-                           FamilyState&) { return Result<void>(); },
   };
   return kFamily;
 }

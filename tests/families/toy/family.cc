@@ -84,8 +84,6 @@ const Family& ToyFamily() {
       .open_command = "TOY_Open",
       .close_command = "TOY_Close",
       .reset_commands = {},
-      .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
-      .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {},
       .finish = nullptr,
       .card_types = kCardTypes,
@@ -100,14 +98,6 @@ const Family& ToyFamily() {
       // A family that keeps something has an alternative of its own in family_state.h.
       .new_state = [] { return FamilyState(); },
       .reset = [](FamilyState&) {},
-      .forget_program = [](FamilyState&) {},
-      .after_tick = [](Card&) {},
-      .before_threads = [](Card&) {},
-      .cycles_before_act = [](const CardView&) { return kNeverActs; },
-      .writes_variables = [](const CardView&) { return false; },
-      .memory_text = [](const FamilyState&) { return std::string(); },
-      .restore_memory = [](std::string_view, std::string_view,
-                           FamilyState&) { return Result<void>(); },
   };
   return kFamily;
 }
