@@ -38,16 +38,15 @@ struct InterfaceForm {
   std::string_view command_prefix;
   /// The header up to its constants.
   std::string_view head;
-  /// The topics of the catalogue with their notes, for the documentation.
-  std::span<const TopicLine> topics;
-  /// The page of the commands up to its first topic.
-  std::string_view page_head = {};
 
   // Parts that a family need not have.
 
+  /// Topics of the catalogue with notes on them, for the documentation.
+  std::span<const TopicLine> topics = {};
+  /// The page of the commands up to its first topic.
+  std::string_view page_head = {};
   /// As `api`, with the type that a command returns in place of its code as the macro's argument.
   std::string_view api_returning = {};
-
   /// Inline functions for C++ after the prototypes: other spellings of hosts.
   std::string_view overloads = {};
   /// Functions with a card number: they have this prefix. The macro that ends with MULTI_CARD is

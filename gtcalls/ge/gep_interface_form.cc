@@ -20,29 +20,9 @@ constexpr std::string_view kHead =
    pulse/ms^3. In C++ the default argument may be left out; in C it is written. */
 #ifndef ONCARD_GEP_H_
 #define ONCARD_GEP_H_
-
-#if !defined(_WIN32) && !defined(__stdcall)
-#define __stdcall
-#endif
-
-#ifdef __GNUC__
-#define GE_CALL_ __attribute__((visibility("default")))
-#else
-#define GE_CALL_ __stdcall
-#endif
-
-#ifdef __cplusplus
-#define GT_API extern "C" short GE_CALL_
-#define GE_DEFAULT_(value) = value
-#else
-#define GT_API short GE_CALL_
-#define GE_DEFAULT_(value)
-#endif
-
-/* Told of every command: its text, and what it returned. Both names are in use. */
-typedef void(__stdcall *TCommandHandle)(char *command, short error);
-typedef TCommandHandle CCommandHandle;
-)";
+)"
+#include "gtcalls/ge/header_head.inc"
+    ;
 
 constexpr std::string_view kPageHead =
     R"(# Commands of GE point-to-point cards
@@ -54,12 +34,6 @@ A value outside its range, the number of an axis that the card does not have and
 with 7. What the state of the card forbids is refused with 1, and `GT_GetCmdSts` says why.
 [Coming from a GE card](from-ge.md) says what else to know.
 )";
-
-constexpr TopicLine kTopics[] = {
-#define COMMAND(...)
-#define TOPIC(title) {title, {}},
-#include "gtcalls/ge/gep_catalogue.def"
-};
 
 }  // namespace
 }  // namespace gep
@@ -73,7 +47,6 @@ const InterfaceForm& GepInterfaceForm() {
                                       .macro_prefix = "GE_",
                                       .command_prefix = "GT_",
                                       .head = gep::kHead,
-                                      .topics = gep::kTopics,
                                       .page_head = gep::kPageHead};
   return kForm;
 }

@@ -25,29 +25,9 @@ constexpr std::string_view kHead =
    Ex take mm, mm/s and mm/s^2. In C++ the default argument may be left out; in C it is written. */
 #ifndef ONCARD_GES_H_
 #define ONCARD_GES_H_
-
-#if !defined(_WIN32) && !defined(__stdcall)
-#define __stdcall
-#endif
-
-#ifdef __GNUC__
-#define GE_CALL_ __attribute__((visibility("default")))
-#else
-#define GE_CALL_ __stdcall
-#endif
-
-#ifdef __cplusplus
-#define GT_API extern "C" short GE_CALL_
-#define GE_DEFAULT_(value) = value
-#else
-#define GT_API short GE_CALL_
-#define GE_DEFAULT_(value)
-#endif
-
-/* Told of every command: its text, and what it returned. Both names are in use. */
-typedef void(__stdcall *TCommandHandle)(char *command, short error);
-typedef TCommandHandle CCommandHandle;
-)";
+)"
+#include "gtcalls/ge/header_head.inc"
+    ;
 
 constexpr std::string_view kPageHead =
     R"(# Commands of GE path cards
@@ -75,12 +55,6 @@ inline short GT_InitLookAheadExx(double T, double amax, double am, short n, doub
 }
 )";
 
-constexpr TopicLine kTopics[] = {
-#define COMMAND(...)
-#define TOPIC(title) {title, {}},
-#include "gtcalls/ge/ges_catalogue.def"
-};
-
 }  // namespace
 }  // namespace ges
 
@@ -93,7 +67,6 @@ const InterfaceForm& GesInterfaceForm() {
                                       .macro_prefix = "GE_",
                                       .command_prefix = "GT_",
                                       .head = ges::kHead,
-                                      .topics = ges::kTopics,
                                       .page_head = ges::kPageHead,
                                       .overloads = ges::kOverloads};
   return kForm;

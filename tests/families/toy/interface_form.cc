@@ -32,8 +32,6 @@ constexpr std::string_view kOverloads =
 }
 )";
 
-constexpr TopicLine kTopics[] = {{"All", {}}};
-
 }  // namespace
 
 const InterfaceForm& ToyInterfaceForm() {
@@ -45,7 +43,6 @@ const InterfaceForm& ToyInterfaceForm() {
                                       .macro_prefix = "TOY_",
                                       .command_prefix = "TOY_",
                                       .head = kHead,
-                                      .topics = kTopics,
                                       .api_returning = "TOY_API_OF_",
                                       .overloads = kOverloads};
   return kForm;
