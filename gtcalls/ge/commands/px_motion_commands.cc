@@ -1,14 +1,12 @@
 // Motion of single axes: modes, their registers, updates, stops. A setter writes a register, and
 // GT_Update begins or replans the motion with all of them. Source: GE manual chapters 5 and 12.
 // Tested by tests/gtcalls/ge/motion_command_test.cc.
-#include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/ge/commands/register_commands.h"
 
 namespace oncard::gtcalls::gep {
 namespace {
 
 using motion::ProfileMode;
-
-GeRegisters& RegistersOf(const Call& call) { return GeAxisOf(call).registers; }
 
 int16_t ChooseMode(Call& call, ProfileMode mode) {
   const int16_t code = CheckAtRest(call, kModeInUse);
@@ -24,15 +22,15 @@ int16_t GT_PrflV(Call& call) { return ChooseMode(call, ProfileMode::kJog); }
 
 // --- Registers -------------------------------------------------------------------------------
 
-int16_t GT_SetPos(Call& call) {
-  RegistersOf(call).position.waiting = call.integer(1);
-  return vm::kOk;
-}
-
-int16_t GT_GetPos(Call& call) {
-  call.Set(1, RegistersOf(call).position.waiting);
-  return vm::kOk;
-}
+int16_t GT_SetPos(Call& call) { return WriteRegister<&GeRegisters::position>(call); }
+int16_t GT_GetPos(Call& call) { return ReadRegister<&GeRegisters::position>(call); }
+int16_t GT_GetVel(Call& call) { return ReadRegister<&GeRegisters::velocity>(call); }
+int16_t GT_SetAcc(Call& call) { return WriteRegister<&GeRegisters::acceleration>(call); }
+int16_t GT_GetAcc(Call& call) { return ReadRegister<&GeRegisters::acceleration>(call); }
+int16_t GT_SetMAcc(Call& call) { return WriteRegister<&GeRegisters::max_acceleration>(call); }
+int16_t GT_GetMAcc(Call& call) { return ReadRegister<&GeRegisters::max_acceleration>(call); }
+int16_t GT_SetJerk(Call& call) { return WriteRegister<&GeRegisters::jerk>(call); }
+int16_t GT_GetJerk(Call& call) { return ReadRegister<&GeRegisters::jerk>(call); }
 
 int16_t GT_SetVel(Call& call) {
   const ProfileMode mode = call.card.motion.profile(AxisOf(call)).mode;
@@ -42,43 +40,7 @@ int16_t GT_SetVel(Call& call) {
                        MakeMessage("vel is {0}; it may be below 0 in velocity mode only",
                                    "vel 为 {0}；仅速度模式下可为负值", call.value(1)));
   }
-  RegistersOf(call).velocity.waiting = call.value(1);
-  return vm::kOk;
-}
-
-int16_t GT_GetVel(Call& call) {
-  call.Set(1, RegistersOf(call).velocity.waiting);
-  return vm::kOk;
-}
-
-int16_t GT_SetAcc(Call& call) {
-  RegistersOf(call).acceleration.waiting = call.value(1);
-  return vm::kOk;
-}
-
-int16_t GT_GetAcc(Call& call) {
-  call.Set(1, RegistersOf(call).acceleration.waiting);
-  return vm::kOk;
-}
-
-int16_t GT_SetMAcc(Call& call) {
-  RegistersOf(call).max_acceleration.waiting = call.value(1);
-  return vm::kOk;
-}
-
-int16_t GT_GetMAcc(Call& call) {
-  call.Set(1, RegistersOf(call).max_acceleration.waiting);
-  return vm::kOk;
-}
-
-int16_t GT_SetJerk(Call& call) {
-  RegistersOf(call).jerk.waiting = call.value(1);
-  return vm::kOk;
-}
-
-int16_t GT_GetJerk(Call& call) {
-  call.Set(1, RegistersOf(call).jerk.waiting);
-  return vm::kOk;
+  return WriteRegister<&GeRegisters::velocity>(call);
 }
 
 // --- Updates ---------------------------------------------------------------------------------
