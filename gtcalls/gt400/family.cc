@@ -2,7 +2,6 @@
 
 #include <array>
 #include <limits>
-#include <string>
 #include <string_view>
 
 #include "gtcalls/gt400/catalogue.h"
@@ -58,20 +57,11 @@ constexpr CardType kCardTypes[] = {
 #include "gtcalls/gt400/card_types.def"
 };
 
-constexpr size_t kCommandCount = 0
-#define COMMAND(...) +1
-#include "gtcalls/gt400/catalogue.def"
-    ;
+/// All commands are supported.
+constexpr bool IsUnsupported(std::string_view) { return false; }
 
-/// The functions of the commands; the index is the command's number - 1.
-constexpr auto kFunctions = [] {
-  using words::Callers;
-  std::array<CommandFunction, kCommandCount> functions{};
-#define COMMAND(number, name, tier, callers, ...) \
-  if constexpr (Callers::callers != Callers::kLibrary) functions[number - 1u] = gt400::name;
-#include "gtcalls/gt400/catalogue.def"
-  return functions;
-}();
+#define FAMILY_COMMANDS "gtcalls/gt400/catalogue.def"
+#include "gtcalls/rows/functions.inc"
 
 /// The virtual time of a call from the host. Assumption: the manual names none; a call of GTS takes
 /// as long.
@@ -95,8 +85,6 @@ const Family& Gt400Family() {
       .open_command = "GT_Open",
       .close_command = "GT_Close",
       .reset_commands = gt400::kResetCommands,
-      .why_unsupported = [](const Command&) -> const Message* { return nullptr; },
-      .motion_role = [](const Command&) { return MotionRole::kNone; },
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetVel",
                   .clear_status = "GT_ClrSts",
@@ -112,14 +100,8 @@ const Family& Gt400Family() {
       .mode_number = gt400::ModeNumber,
       .new_state = [] { return FamilyState(Gt400State()); },
       .reset = [](FamilyState& state) { state = Gt400State(); },
-      .forget_program = [](FamilyState&) {},
       .after_tick = gt400::AfterTick,
-      .before_threads = [](Card&) {},
       .cycles_before_act = gt400::CyclesBeforeAct,
-      .writes_variables = [](const CardView&) { return false; },
-      .memory_text = [](const FamilyState&) { return std::string(); },
-      .restore_memory = [](std::string_view, std::string_view,
-                           FamilyState&) { return Result<void>(); },
   };
   return kFamily;
 }

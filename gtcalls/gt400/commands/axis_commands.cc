@@ -5,12 +5,12 @@
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/shared/senses.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
 
-using motion::DiType;
 using motion::DoType;
 
 /// GT_CtrlMode.
@@ -128,12 +128,8 @@ int16_t GT_EncSns(Call& call) {
   const int16_t code = CheckServoCard(call);
   if (code != vm::kOk) return code;
   const auto sense = static_cast<uint32_t>(call.integer(0));
-  const auto reverse = [&](size_t encoder, size_t bit) {
-    call.card.motion.EncoderAt(encoder).SetSense((sense >> bit & 1) != 0);
-  };
-  for (size_t axis = 0; axis < kAxisMax; ++axis) reverse(axis, axis);
-  for (size_t i = 0; i < kAuxiliaryEncoders; ++i)
-    reverse(motion::kAuxiliaryFirst + i, kAxisMax + i);
+  ReverseEncoders(sense, 0, kAxisMax, call.card.motion);
+  ReverseEncoders(sense >> kAxisMax, motion::kAuxiliaryFirst, kAuxiliaryEncoders, call.card.motion);
   return vm::kOk;
 }
 
@@ -141,15 +137,7 @@ int16_t GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
 int16_t GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
 
 int16_t GT_LmtSns(Call& call) {
-  const auto sense = static_cast<uint32_t>(call.integer(0));
-  uint32_t positive = 0;
-  uint32_t negative = 0;
-  for (int axis = 0; axis < kAxisMax; ++axis) {
-    positive |= (sense >> (2 * axis) & 1) << axis;
-    negative |= (sense >> (2 * axis + 1) & 1) << axis;
-  }
-  call.card.motion.digital_io().SetInverted(DiType::kLimitPositive, positive);
-  call.card.motion.digital_io().SetInverted(DiType::kLimitNegative, negative);
+  InvertLimits(static_cast<uint32_t>(call.integer(0)), call.card.motion);
   return vm::kOk;
 }
 
