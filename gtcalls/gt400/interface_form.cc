@@ -19,14 +19,16 @@ constexpr std::string_view kHead =
       6   a mapping has no solution
       7   a parameter is wrong, or NULL
       8   the command is known but not simulated
-     -1   no communication: the card is not open
-     -6   the card cannot be opened
+     -1   no communication: the cards are not open, or there is no such card
+     -6   the cards cannot be opened
    A refused command changes nothing. GT_GetCurrentCardNo returns the number of the card.
 
    Positions are in pulses. ST is the sample time (GT_SetSmplTm): velocities are in pulse/ST,
    accelerations in pulse/ST^2, jerks in pulse/ST^3. */
 #ifndef ONCARD_GT400_H_
 #define ONCARD_GT400_H_
+
+#include <stdint.h>
 
 #if !defined(_WIN32) && !defined(__stdcall)
 #define __stdcall
@@ -39,12 +41,55 @@ constexpr std::string_view kHead =
 #endif
 
 #ifdef __cplusplus
-#define GT_API extern "C" short GT400_CALL_
+#define GT400_API_OF_(type) extern "C" type GT400_CALL_
 #define GT400_DEFAULT_(value) = value
 #else
-#define GT_API short GT400_CALL_
+#define GT400_API_OF_(type) type GT400_CALL_
 #define GT400_DEFAULT_(value)
 #endif
+#define GT_API GT400_API_OF_(short)
+
+/* A handler of interrupts. */
+typedef void (*GT_ISR)(void);
+
+/* What the card does by itself at interrupts: GT_SetBgCommandSet. A set has a group of commands for
+   each kind of interrupt; the next command, or the next group, follows the last command. Commands
+   are numbered Intr_GT_..., their data are in `in` or, if that is 0, in `out`: reals with 16 bits
+   after the point, jerks with 32. */
+typedef struct GENERAL_COMMAND {
+  union {
+    unsigned short usCommand;
+    unsigned short cCommand;
+  };
+  unsigned short InputLength;
+  unsigned short OutputLength;
+  unsigned short usResult;
+  union {
+    unsigned short sData[2];
+    uint32_t lData;
+  } in;
+  union {
+    unsigned short sData[2];
+    uint32_t lData;
+  } out;
+} GENERAL_COMMAND, *PGENERAL_COMMAND;
+
+typedef struct BACKGROUND_COMMAND {
+  unsigned short InterruptMask;
+  unsigned short CommandCount;
+  GENERAL_COMMAND GenCommand[1];
+} BACKGROUND_COMMAND, *PBACKGROUND_COMMAND;
+
+typedef struct BGCOMMANDSET {
+  unsigned short Count;
+  unsigned short usReserve;
+  BACKGROUND_COMMAND BackgroundCommand[1];
+} BGCOMMANDSET, *PBGCOMMANDSET;
+)";
+
+/// Hosts of ISA cards open them with an address and the number of an interrupt.
+constexpr std::string_view kOverloads =
+    R"(inline short GT_Open(unsigned long, unsigned long) { return GT_Open(); }
 )";
 
 constexpr std::string_view kPageHead =
@@ -77,7 +122,9 @@ const InterfaceForm& Gt400InterfaceForm() {
                                       .command_prefix = "GT_",
                                       .head = gt400::kHead,
                                       .topics = gt400::kTopics,
-                                      .page_head = gt400::kPageHead};
+                                      .page_head = gt400::kPageHead,
+                                      .api_returning = "GT400_API_OF_",
+                                      .overloads = gt400::kOverloads};
   return kForm;
 }
 
