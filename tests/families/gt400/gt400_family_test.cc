@@ -1,4 +1,5 @@
 // Hosts written for GT400 cards, from their headers to their output under `oncard exec`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,13 +10,50 @@
 namespace oncard::tools {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
 const std::string kFolder = ONCARD_GT400_FOLDER;
 
-ProcessResult Exec(const std::string& host) {
-  return RunOncard({"exec", "--", kFolder + "/" + host});
+ProcessResult Exec(const std::string& host, std::vector<std::string> options = {},
+                   const std::vector<std::string>& environment = {},
+                   const ScratchFolder& folder = ScratchFolder()) {
+  options.insert(options.begin(), "exec");
+  options.insert(options.end(), {"--", kFolder + "/" + host});
+  return RunOncard(options, folder.path(), environment);
 }
 
 // --- Headers -------------------------------------------------------------------------------------
+
+class Gt400IsaHost : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Languages, Gt400IsaHost, testing::Values("c", "cpp"),
+                         [](const auto& language) { return std::string(language.param); });
+
+TEST_P(Gt400IsaHost, OpensItsCardWithAnAddressAndAnInterrupt) {
+  const bool overloaded = std::string(GetParam()) == "cpp";
+  const ProcessResult host = Exec(std::string("gt400_isa_") + GetParam());
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out, std::string("open: 0\nopen with another address: 0\naxis: 0\n") +
+                          (overloaded ? "open without parameters: 0\n" : ""));
+}
+
+TEST(Gt400DosHost, OpensItsCardWithItsAddress) {
+  const ProcessResult host = Exec("gt400_dos");
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "address: 0, 0x300\n"
+            "axis before: -1\n"
+            "no card there: -1\n"
+            "address: 0, 0x280\n"
+            "axis before: -1\n"
+            "set: 0\n"
+            "set again: 0\n"
+            "address: 0, 0x300\n"
+            "axis: 0\n"
+            "another card: -1\n");
+}
 
 // The manual: 4 + 4 * kinds + 16 * commands.
 TEST(Gt400BackgroundSet, HasTheLayoutOfTheManual) {
@@ -27,6 +65,98 @@ TEST(Gt400BackgroundSet, HasTheLayoutOfTheManual) {
             "00 00 00 00 00 00 00 00 20 00 01 00 4C 00 01 00\n"
             "02 00 FF FF 00 00 00 00 14 00 00 00\n"
             "1\n");
+}
+
+// --- Cards ---------------------------------------------------------------------------------------
+
+// A card that is used late has the time of the others. A call takes 50 us, those that mean no card
+// none; a cycle 200 us: the clock is read at 0.15 ms, 10.3 ms and 10.4 ms, after the reset at 0.1
+// ms, and at 10.65 ms. After the second opening it begins anew.
+TEST(Gt400Cards, AreOpenedAtOnce) {
+  const ProcessResult host = Exec("gt400_cards");
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "axis before opening: -1\n"
+            "reset before opening: -1\n"
+            "number before opening: -1\n"
+            "switch before opening: -1\n"
+            "close before opening: -1\n"
+            "open: 0\n"
+            "open again: 0\n"
+            "card 0, position 5, clock 0\n"
+            "switch: 0\n"
+            "card 15, position 7, clock 51\n"
+            "no such card: -1\n"
+            "no such card: -1\n"
+            "card 15, position 7, clock 52\n"
+            "reset: 0\n"
+            "card 0, position 0, clock 0\n"
+            "card 15, position 7, clock 53\n"
+            "close: 0\n"
+            "axis after closing: -1\n"
+            "close again: -1\n"
+            "open once more: 0\n"
+            "card 0, position 0, clock 0\n"
+            "card 15, position 0, clock 1\n");
+}
+
+TEST(Gt400Cards, AreAsManyAsTheEnvironmentSays) {
+  const ScratchFolder folder;
+  folder.Write("log.txt", "");
+  const ProcessResult host =
+      Exec("gt400_cards", {}, {"ONCARD_CARDS=2", "ONCARD_LOG=calls:log.txt"}, folder);
+  EXPECT_THAT(host.out, HasSubstr("\nswitch: -1\n"));
+  EXPECT_THAT(folder.Read("log.txt"),
+              HasSubstr("GT_SwitchtoCardNo(15) = -1: there is no card 15; the computer has cards 0 "
+                        "to 1\n"));
+}
+
+TEST(Gt400Cards, AreNotOpenedWithAWrongNumber) {
+  for (const char* number : {"0", "17", "two", "-1", "1.5"}) {
+    const ProcessResult host = Exec("gt400_isa_c", {}, {std::string("ONCARD_CARDS=") + number});
+    EXPECT_THAT(host.out, HasSubstr("open: -6\n")) << number;
+    EXPECT_THAT(host.err, HasSubstr(std::string("ONCARD_CARDS is '") + number +
+                                    "', expected a number from 1 to 16"));
+  }
+}
+
+// Cards 1 to 14 are open, too.
+TEST(Gt400Cards, HaveALogAndARecordIfTheHostUsesThem) {
+  const ScratchFolder folder;
+  const ProcessResult host =
+      Exec("gt400_cards", {"--record=host.calls"}, {"ONCARD_LOG=calls:log.txt"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_THAT(folder.Read("log.txt"),
+              AllOf(HasSubstr("10.200 card15 GT_SetPos(7) = 0\n"), Not(HasSubstr("card1 "))));
+  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+// What the host expects of a card it can expect only of those that it uses.
+TEST(Gt400Cards, MeetAScenarioIfTheHostUsesThem) {
+  const ScratchFolder folder;
+  folder.Write("cards.host.toml", "card = \"GT-400-SG\"\nexpect = [\"axis1.prfPos == 1\"]\n");
+  const ProcessResult host = Exec("gt400_dos", {"--scenario=cards.host.toml"}, {}, folder);
+  EXPECT_EQ(host.exit_code, 120);
+  EXPECT_THAT(host.err, AllOf(HasSubstr("card 0: 'axis1.prfPos == 1' does not hold"),
+                              Not(HasSubstr("card 1: "))));
+}
+
+TEST(Gt400Cards, AreNamedByTheEnvironment) {
+  EXPECT_EQ(Exec("gt400_isa_c", {"--card=GT-400-SE"}).exit_code, 0);
+  const ProcessResult other = Exec("gt400_isa_c", {"--card=GTS-800"});
+  EXPECT_THAT(other.out, HasSubstr("open: -6\n"));
+  EXPECT_THAT(other.err, HasSubstr("ONCARD_CARD is 'GTS-800', expected one of GT-400-SV"));
+}
+
+// --- The library ---------------------------------------------------------------------------------
+
+TEST(Gt400Library, IsFoundByItsNameOnWindows) {
+  const ScratchFolder folder;
+  const ProcessResult host =
+      RunOncard({"exec", "--", kFolder + "/gt400_loaded", ONCARD_GT400_DLL}, folder.path());
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out, "clock 5000\n");
 }
 
 }  // namespace
