@@ -58,7 +58,8 @@ struct MotionConfig {
 
 /// True if the card has auxiliary encoders (sizes.h).
 constexpr bool HasAuxiliary(const MotionConfig& config) {
-  return static_cast<size_t>(config.axis_count) <= kAuxiliaryFirst;
+  return config.defaults.auxiliary_encoders &&
+         static_cast<size_t>(config.axis_count) <= kAuxiliaryFirst;
 }
 
 struct MotionState {

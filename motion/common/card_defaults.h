@@ -25,6 +25,8 @@ struct CardDefaults {
   /// Slaves are computed after all other profiles, so that they do not lag behind; false: in the
   /// order of their numbers, unless a coordinate system plans their masters.
   bool slaves_last = false;
+  /// Encoders that belong to no axis, unless there are too many axes.
+  bool auxiliary_encoders = true;
   bool spindle = false;  ///< the card has the analogue output of a spindle
 };
 

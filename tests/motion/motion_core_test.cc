@@ -102,6 +102,19 @@ TEST(MotionDrive, ThatIsEnabledContinuesFromTheAxisOrMovesToThePlan) {
   }
 }
 
+TEST(MotionEncoders, ThatBelongToNoAxisAreOnSomeCards) {
+  const struct {
+    int axis_count;
+    bool default_has;
+    bool has;
+  } cases[] = {{8, true, true}, {8, false, false}, {12, true, false}};
+  for (const auto& c : cases) {
+    const MotionCore core(
+        {.axis_count = c.axis_count, .defaults = {.auxiliary_encoders = c.default_has}});
+    EXPECT_EQ(core.has_auxiliary(), c.has) << c.axis_count;
+  }
+}
+
 TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
   MotionCore core({.defaults = {.smooth_stop = 2, .abrupt_stop = 50}});
   CrdParameters parameters;
