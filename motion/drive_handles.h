@@ -22,6 +22,8 @@ class ControlHandle {
   void Configure(bool active, int8_t axis, int8_t encoder) const;
   void SetPidSet(size_t set, const PidSet& values) const { control().sets[set] = values; }
   void SelectPidSet(size_t set) const { control().selected = static_cast<uint8_t>(set); }
+  /// The sum of errors begins anew.
+  void ClearIntegral() const { control().sum = 0; }
   /// The largest following error, pulses.
   void SetErrorLimit(int64_t limit) const { control().error_limit = limit; }
   /// What the check of the encoder's response takes for a silent one.

@@ -30,8 +30,24 @@ void ConnectDrive(Card& card, size_t axis) {
   // A drive that follows a voltage takes no pulses.
   card.motion.StepAt(axis).SetActive(!(analogue && open));
   card.motion.AxisAt(axis).SetClosedLoop(analogue && !open);
+  UpdateOutput(card, axis);
   UpdateErrorLimit(card, axis);
   if (card.motion.axis(axis).servo_on) card.motion.AxisAt(axis).RestartDrive();
+}
+
+/// Assumption: in open loop bias and limit have no meaning.
+void UpdateOutput(Card& card, size_t axis) {
+  if (!HasVoltages(card)) return;
+  const Gt400Axis& state = StateOf(card, axis);
+  const motion::DacHandle dac = card.motion.DacAt(axis);
+  if (card.motion.InClosedLoop(axis)) {
+    dac.SetBias(state.valid.bias);
+    dac.SetLimit(static_cast<int16_t>(state.valid.output_limit));
+  } else {
+    dac.SetBias(0);
+    dac.SetLimit(static_cast<int16_t>(motion::kDacFull));
+    dac.SetValue(IsAnalogue(card, axis) ? state.open_output : 0);
+  }
 }
 
 void UpdateServo(Card& card, size_t axis) {
@@ -45,8 +61,9 @@ void UpdateServo(Card& card, size_t axis) {
   set.kaff = valid.kaff;
   set.integral_limit = valid.integral_limit;
   card.motion.ControlAt(axis).SetPidSet(0, set);
-  card.motion.DacAt(axis).SetBias(valid.bias);
-  card.motion.DacAt(axis).SetLimit(static_cast<int16_t>(valid.output_limit));
+  // An integral without room is cleared, also while the drive is off.
+  if (valid.integral_limit == 0) card.motion.ControlAt(axis).ClearIntegral();
+  UpdateOutput(card, axis);
   UpdateErrorLimit(card, axis);
 }
 

@@ -15,6 +15,9 @@ bool HasVoltages(const Card& card);
 bool IsAnalogue(const Card& card, size_t axis);
 /// Connects the drive of the axis as GT_CtrlMode and GT_OpenLp say.
 void ConnectDrive(Card& card, size_t axis);
+/// Gives the analogue output of the axis its valid bias and limit or, in open loop, what it puts
+/// out.
+void UpdateOutput(Card& card, size_t axis);
 /// Gives the servo controller of the axis its valid registers.
 void UpdateServo(Card& card, size_t axis);
 /// Sets the planned, the target and the actual position of an axis at rest; the machine stays.

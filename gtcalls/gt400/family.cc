@@ -11,6 +11,7 @@
 #include "gtcalls/gt400/limits.h"
 #include "gtcalls/gt400/rows.h"
 #include "gtcalls/gt400/status_word.h"
+#include "gtcalls/gt400/unsupported.h"
 
 namespace oncard::gtcalls {
 namespace gt400 {
@@ -52,13 +53,16 @@ constexpr motion::CardDefaults kPulses = [] {
   return defaults;
 }();
 
+constexpr motion::CardDefaults kPulsesAlone = [] {
+  motion::CardDefaults defaults = kPulses;
+  defaults.auxiliary_encoders = false;
+  return defaults;
+}();
+
 constexpr CardType kCardTypes[] = {
 #define CARD_TYPE(name, axes, output) {name, axes, k##output},
 #include "gtcalls/gt400/card_types.def"
 };
-
-/// All commands are supported.
-constexpr bool IsUnsupported(std::string_view) { return false; }
 
 #define FAMILY_COMMANDS "gtcalls/gt400/catalogue.def"
 #include "gtcalls/rows/functions.inc"
@@ -85,6 +89,7 @@ const Family& Gt400Family() {
       .open_command = "GT_Open",
       .close_command = "GT_Close",
       .reset_commands = gt400::kResetCommands,
+      .why_unsupported = gt400::WhyUnsupported,
       .advised = {.drive_on = "GT_AxisOn",
                   .velocity = "GT_SetVel",
                   .clear_status = "GT_ClrSts",

@@ -65,12 +65,13 @@ struct Gt400Axis {
   bool moved = false;        ///< it moved when this was asked last
   bool pulses = false;       ///< GT_CtrlMode(1) on a card with voltages
   bool open_loop = false;    ///< GT_OpenLp
+  int16_t open_output = 0;   ///< GT_SetMtrCmd: the output in open loop
   bool auto_stop = false;    ///< GT_AuStpOn
   bool auto_update = false;  ///< GT_AuUpdtOn
 
   auto Fields() const {
     return std::tie(waiting, valid, request, taken, events, noticed, moved, pulses, open_loop,
-                    auto_stop, auto_update);
+                    open_output, auto_stop, auto_update);
   }
 };
 
@@ -81,10 +82,11 @@ struct Gt400State {
   uint8_t current = 0;  ///< the axis that commands mean
   double sample_time = gt400::kSampleTime;
   uint16_t command_register = 0;
-  bool path_refused = false;  ///< the last path command
+  bool path_refused = false;              ///< the last path command
+  uint8_t adc_channels = gt400::kAdcMax;  ///< GT_SetAdcChn: those that are converted
 
   auto Fields() const {
-    return std::tie(axes, current, sample_time, command_register, path_refused);
+    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels);
   }
 };
 

@@ -19,6 +19,7 @@ inline constexpr double kSCurveEnd = 0.5;
 inline constexpr int kServoMax = 32767;
 /// Encoders that belong to no axis.
 inline constexpr size_t kAuxiliaryEncoders = 2;
+inline constexpr int kAdcMax = 8;
 /// The sample time in microseconds: 200 at power-on, at most 65536 steps of 30 ns.
 inline constexpr double kSampleTime = 200;
 inline constexpr double kSampleTimeMin = 48;

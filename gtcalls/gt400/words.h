@@ -25,6 +25,9 @@ constexpr Spec Position(std::string_view name) { return Long(name).In(Unit::kPul
 constexpr Spec Velocity(std::string_view name) { return Double(name).In(Unit::kPulsePerSt); }
 constexpr Spec Acceleration(std::string_view name) { return Double(name).In(Unit::kPulsePerSt2); }
 constexpr Spec Jerk(std::string_view name) { return Double(name).In(Unit::kPulsePerSt3); }
+constexpr Spec AuxiliaryEncoder(std::string_view name) {
+  return UShort(name).In(Unit::kIndex).Range(1, kAuxiliaryEncoders);
+}
 constexpr Spec Word(std::string_view name) { return UShort(name).In(Unit::kBits); }
 
 }  // namespace oncard::gtcalls::gt400::words
