@@ -1,6 +1,6 @@
 # oncard_family(name EXPORTS pattern ... SOURCES file ...
 #               [HEADER file ...] [MODULE_HEADER file] [OTHER_HEADERS file ...]
-#               [MULTI_CARD] [BASIC_LAYOUTS]
+#               [MULTI_CARD] [BASIC_LAYOUTS] [INTERRUPTS]
 #               [GENERATOR target] [INCLUDE_DIR folder]):
 # all that a family of cards needs beside its catalogue and functions. Makes the targets
 #
@@ -9,11 +9,13 @@
 #   oncard::<name>               lib<name>.so, with which host programs are linked
 #
 # EXPORTS are the names of its functions. SOURCES define its HostLibrary (runtime/host/library.h).
-# HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD and BASIC_LAYOUTS are the parts
-# that its InterfaceForm (gtcalls/interface_form.h) may have; OTHER_HEADERS are copied. GENERATOR
-# knows the family, INCLUDE_DIR receives the headers; without them both are those of the project.
+# HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD
+# and BASIC_LAYOUTS are the parts that its InterfaceForm (gtcalls/interface_form.h) may have;
+# OTHER_HEADERS are copied. INTERRUPTS: its cards interrupt their host, for which the library has
+# events and handlers. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
+# both are those of the project.
 function(oncard_family name)
-  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS" "GENERATOR;INCLUDE_DIR;MODULE_HEADER"
+  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS;INTERRUPTS" "GENERATOR;INCLUDE_DIR;MODULE_HEADER"
     "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
   if(NOT ARG_GENERATOR)
     set(ARG_GENERATOR generate_interface)
@@ -70,6 +72,9 @@ function(oncard_family name)
     PUBLIC oncard::${name}_interface oncard::host_api PRIVATE oncard::compiler)
 
   add_library(${name} SHARED ${PROJECT_SOURCE_DIR}/runtime/host/host_hooks.cc)
+  if(ARG_INTERRUPTS)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/runtime/host/interrupt_hooks.cc)
+  endif()
   # ThreadSanitizer has a sigaction() of its own, and calls it before instrumented code may run.
   if(NOT ONCARD_SANITIZE MATCHES thread)
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/runtime/host/host_handlers.cc)

@@ -44,6 +44,9 @@ struct Card {
   /// Changes what a cycle of the card takes outside, from the next cycle on; only in families with
   /// Family::cycle_ns. Set by the card's owner.
   std::function<void(int64_t cycle_ns)> set_cycle_ns = {};
+  /// Interrupts the host of the card, now that a tick has passed: what the call log says of it. Set
+  /// by the card's owner.
+  std::function<void(const Message& what)> interrupt_host = {};
   /// Why the description of its bus cannot be used; empty: it can, or there is none.
   Message bus_error = {};
 

@@ -123,6 +123,10 @@ struct Family {
   /// the next one, kNeverActs. Before, after_tick has only work after a tick in which a path
   /// reached commands for the owner of the core.
   int64_t (*cycles_before_act)(const CardView& card) = [](const CardView&) { return kNeverActs; };
+  /// How many cycles pass at least until after_tick interrupts the host of the card (Card): 1 if it
+  /// can do so in the next one, kNeverActs if it cannot before the next command. nullptr: the cards
+  /// interrupt nobody.
+  int64_t (*cycles_before_interrupt)(const CardView& card) = nullptr;
   /// True if variables of the program can still be written by something other than threads and the
   /// host.
   bool (*writes_variables)(const CardView& card) = [](const CardView&) { return false; };

@@ -50,6 +50,14 @@ struct CardSlot {
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);
+  /// The same for a card whose interrupts are awaited: takes note of the time, then lets it pass up
+  /// to the next interrupt. True if there is one.
+  void NoteTime();
+  bool AdvanceToInterrupt();
+  /// True if noted time has not passed yet.
+  bool late() const { return late_us_ > 0; }
+  /// The virtual time at which an open card can interrupt its host; VirtualTime::kNeverNs.
+  int64_t EarliestInterruptNs() const;
   /// Lets an open card reach its next tick, or the end of its scenario, with its host.
   void PassTick();
   /// Sets `earliest_end_ns`. A reset, after which the time of an open card begins anew, only makes
@@ -60,6 +68,9 @@ struct CardSlot {
 
  private:
   void Advance(int64_t passed_us);
+  bool over() const { return watch && watch->over(); }
+
+  int64_t late_us_ = 0;  ///< noted and not yet passed
 };
 
 struct CardTable {

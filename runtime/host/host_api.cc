@@ -12,7 +12,9 @@
 #include "runtime/host/call_log.h"
 #include "runtime/host/call_scope.h"
 #include "runtime/host/card_table.h"
+#include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_refusals.h"
+#include "runtime/host/host_time.h"
 #include "runtime/host/library.h"
 #include "runtime/host/services.h"
 #include "runtime/host/virtual_time.h"
@@ -68,15 +70,16 @@ void Record(const LoggedCall& made, bool read, CardSlot& slot) {
   slot.recorder->Write(made.card, call);
 }
 
-/// `told` gets the inputs as text if the host wants to hear of the call.
-int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
+/// A call that takes this long, and as long as its command waits. `told` gets the inputs as text if
+/// the host wants to hear of the call.
+int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot, int64_t cost_us,
                        const gtcalls::Command& command, std::span<const HostArgument> host,
                        std::string* told) {
   const HostService* service = FindHostService(command);
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
   if (open) {
-    slot.CatchUp(family.cost_us(command));
+    slot.CatchUp(cost_us);
     EndHostIfOver(&slot);
     time_us = slot.controller->NowUs();
   }
@@ -141,12 +144,34 @@ int IndexOf(int card, const gtcalls::Command& command, CardTable& table) {
   return card_of != nullptr ? card_of(command, table) : table.selected.load();
 }
 
-/// A call up to the release of its card. `told`: as CallLockedCard().
-int16_t CallAndRelease(int card, uint16_t number, std::span<const HostArgument> arguments,
-                       std::string* told) {
+/// Lets the time of a call pass before its card is locked, if interrupts can come meanwhile;
+/// returns what is left of it. A call of a card that is not open takes none.
+int64_t PassCost(int card, const gtcalls::Command& command) {
+  const int64_t cost_us = LibraryFamily().cost_us(command);
+  HostInterrupts& interrupts = HostInterrupts::OfProcess();
+  if (!interrupts.Awaited() || call_state.depth != 0) return cost_us;
+  CardTable& table = CardTable::OfProcess();
+  const int index = IndexOf(card, command, table);
+  if (index < 0 || index >= kCardCount) return cost_us;
+  {
+    const CallScope scope;
+    CardSlot& slot = table.slots[static_cast<size_t>(index)];
+    const std::lock_guard lock(slot.mutex);
+    if (slot.controller == nullptr) return cost_us;
+  }
+  if (!HostTimeIsVirtual()) {
+    interrupts.Come();
+    return cost_us;
+  }
+  interrupts.PassUs(cost_us);
+  return 0;
+}
+
+/// A call up to the release of its card. `cost_us`, `told`: as CallLockedCard().
+int16_t CallAndRelease(int card, const gtcalls::Command& command, int64_t cost_us,
+                       std::span<const HostArgument> arguments, std::string* told) {
   const CallScope scope;
   const gtcalls::Family& family = LibraryFamily();
-  const gtcalls::Command& command = *family.catalogue.Find(number);
   if (CallScope::Interrupts()) return RefuseInterruption(command);
   CardTable& table = CardTable::OfProcess();
   const int index = IndexOf(card, command, table);
@@ -155,7 +180,7 @@ int16_t CallAndRelease(int card, uint16_t number, std::span<const HostArgument> 
   // A thread that has the card may wait for the wait that this handler has interrupted.
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   const std::lock_guard lock(slot.mutex);
-  const int16_t code = CallLockedCard(family, index, slot, command, arguments, told);
+  const int16_t code = CallLockedCard(family, index, slot, cost_us, command, arguments, told);
   if (card == kSelectedCard && Library().notice_result != nullptr) {
     Library().notice_result(command, arguments, code);
   }
@@ -165,8 +190,12 @@ int16_t CallAndRelease(int card, uint16_t number, std::span<const HostArgument> 
 }  // namespace
 
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
+  const gtcalls::Command& command = *LibraryFamily().catalogue.Find(number);
   std::string told;
-  const int16_t code = CallAndRelease(card, number, arguments, &told);
+  const int64_t cost_us = PassCost(card, command);
+  const int16_t code = CallAndRelease(card, command, cost_us, arguments, &told);
+  // Those of the tick for which the command waited.
+  HostInterrupts::OfProcess().Come();
   if (!told.empty()) TellHost(std::move(told), code);
   return code;
 }

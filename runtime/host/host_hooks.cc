@@ -7,6 +7,7 @@
 
 #include "runtime/host/call_scope.h"
 #include "runtime/host/card_table.h"
+#include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_keys.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
@@ -14,6 +15,7 @@
 
 using oncard::runtime::call_state;
 using oncard::runtime::CallScope;
+using oncard::runtime::HostInterrupts;
 using oncard::runtime::VirtualTime;
 
 #define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
@@ -28,9 +30,14 @@ ONCARD_EXPORT int oncard_host_virtual() { return oncard::runtime::HostTimeIsVirt
 // In a handler that has interrupted another call of its thread these take no time and no lock.
 
 ONCARD_EXPORT long long oncard_host_time_ns() {
-  const CallScope scope;
-  if (CallScope::Interrupts()) return oncard::runtime::HostTimeNs();
-  return oncard::runtime::LookAtHostTimeNs();
+  long long now_ns = 0;
+  {
+    const CallScope scope;
+    if (CallScope::Interrupts()) return oncard::runtime::HostTimeNs();
+    now_ns = oncard::runtime::LookAtHostTimeNs();
+  }
+  HostInterrupts::OfProcess().Come();
+  return now_ns;
 }
 
 ONCARD_EXPORT long long oncard_host_sleep_ns(long long duration_ns) {
@@ -56,9 +63,14 @@ ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wai
 }
 
 ONCARD_EXPORT long long oncard_host_wait_slice_ns(const oncard_host_wait* wait) {
-  const CallScope scope;
-  if (wait->number == kNoWait) return 0;
-  return VirtualTime::OfProcess().NextSliceNs({wait->deadline_ns, wait->number});
+  long long slice_ns = 0;
+  {
+    const CallScope scope;
+    if (wait->number == kNoWait) return 0;
+    slice_ns = VirtualTime::OfProcess().NextSliceNs({wait->deadline_ns, wait->number});
+  }
+  HostInterrupts::OfProcess().Come();
+  return slice_ns;
 }
 
 ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expired) {
@@ -69,9 +81,14 @@ ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expire
 }
 
 ONCARD_EXPORT int oncard_host_kbhit() {
-  const CallScope scope;
-  if (CallScope::Interrupts()) return 0;
-  return oncard::runtime::HostKeys::OfProcess().Hit() ? 1 : 0;
+  bool hit = false;
+  {
+    const CallScope scope;
+    if (CallScope::Interrupts()) return 0;
+    hit = oncard::runtime::HostKeys::OfProcess().Hit();
+  }
+  HostInterrupts::OfProcess().Come();
+  return hit ? 1 : 0;
 }
 
 ONCARD_EXPORT int oncard_host_getch() { return oncard::runtime::HostKeys::OfProcess().Read(); }

@@ -39,6 +39,29 @@ int oncard_host_kbhit(void);
 /** Waits for a key and returns its character, without echo; -1 if there are no more. */
 int oncard_host_getch(void);
 
+/* Only in the libraries of families whose cards interrupt their host (host_interrupts.h), for hosts
+   written for Windows or DOS. None but the last may be called in a handler of a signal that has
+   interrupted a call of these functions; it is refused. */
+
+/** A new object for which threads can wait: its handle. It is set, or not. With `automatic` one
+   wait that ends because it is set resets it. */
+void* oncard_host_event_new(int automatic, int is_set);
+/** Sets or resets the object; 0 if there is no such handle, otherwise 1. */
+int oncard_host_event_set(void* handle, int is_set);
+/** Waits until the object is set, at most this long; a negative duration means for ever. 1: it is
+    set, 0: the time has passed, -1: there is no such handle, or nobody can set it any more. */
+int oncard_host_event_wait(void* handle, long long duration_ns);
+/** Ends the use of a handle; 0 if there is none. */
+int oncard_host_event_close(void* handle);
+/** Starts a thread: the handle of an object that is set when it ends, or NULL. Threads are numbered
+    from 1 on. */
+void* oncard_host_thread_new(unsigned long (*function)(void*), void* argument,
+                             unsigned long* number);
+/** Ends such a thread, which calls it. */
+void oncard_host_thread_exit(void);
+/** 0: handlers of interrupts wait from now on, 1: they are called again. */
+void oncard_host_interrupts(int enabled);
+
 #ifdef __cplusplus
 }
 #endif

@@ -13,6 +13,7 @@
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
+#include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
 namespace {
@@ -135,6 +136,7 @@ int HostKeys::ReadNext() {
   if (scripted_) return ReadScripted();
   OpenTerminal();
   std::fflush(stdout);
+  const VirtualTime::AwaitingInput input(&VirtualTime::OfProcess());
   unsigned char character = 0;
   return ::read(STDIN_FILENO, &character, 1) == 1 ? character : -1;
 }

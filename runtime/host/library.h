@@ -30,6 +30,9 @@ struct HostLibrary {
   /// writes them, and the code. The card is no longer locked and signals no longer wait, so the
   /// host may make calls; it does not hear of these.
   void (*tell_host)(std::string inputs, int16_t code) = nullptr;
+  /// The host's handler for the interrupts of a card has returned; nullptr: nobody wants to know.
+  /// Called as tell_host.
+  void (*handler_returned)(int card) = nullptr;
 };
 
 /// The library of this process.

@@ -52,6 +52,10 @@ Controller::Controller(const ControllerOptions& options)
       card_{*options.family, machine_, motion_, family_state_} {
   commands_.PrepareWith([this] { CatchUp(); });
   card_.set_cycle_ns = [this](int64_t cycle_ns) { SetCycle(cycle_ns); };
+  card_.interrupt_host = [this](const Message& what) {
+    interrupts_host_ = true;
+    TellListeners(what);
+  };
 }
 
 void Controller::LogRefusals(CardLog* log, int card) {
@@ -73,10 +77,12 @@ void Controller::ListenToEvents(EventListener listener) {
 void Controller::PassEventsOn() {
   motion_.Observe([this](const motion::CardEvent& event) {
     if (observer_ != nullptr) observer_->Happened(event);
-    if (event_listeners_.empty()) return;
-    const Message what = DescribeCardEvent(event, family().advised);
-    for (const EventListener& each : event_listeners_) each(clock_.UsOf(cycle()), what);
+    if (!event_listeners_.empty()) TellListeners(DescribeCardEvent(event, family().advised));
   });
+}
+
+void Controller::TellListeners(const Message& what) const {
+  for (const EventListener& each : event_listeners_) each(clock_.UsOf(cycle()), what);
 }
 
 void Controller::ObserveWith(CardObserver* observer) {
@@ -159,8 +165,22 @@ void Controller::AdvanceUs(int64_t microseconds) {
   RunCycles(last - cycle());
 }
 
-int64_t Controller::UsToNextTick() const {
-  return (clock_.NsOf(cycle() + 1) - NowNs() + CardClock::kNsPerUs - 1) / CardClock::kNsPerUs;
+int64_t Controller::UsToTick(int64_t cycles) const {
+  return (clock_.NsOf(cycle() + cycles) - NowNs() + CardClock::kNsPerUs - 1) / CardClock::kNsPerUs;
+}
+
+int64_t Controller::CyclesBeforeInterrupt() const {
+  const auto before = family().cycles_before_interrupt;
+  return before == nullptr ? gtcalls::kNeverActs : before(view());
+}
+
+bool Controller::GoesOn() const {
+  const motion::WorldProgress& world = motion_.state().world;
+  if (motion_.PathRuns() || (world.events && world.next < world.events->size())) return true;
+  for (size_t axis = 0; axis < motion_.axis_count(); ++axis) {
+    if ((motion_.Conditions(axis) & motion::kMovingBit) != 0) return true;
+  }
+  return false;
 }
 
 // A cycle that has begun keeps its length.

@@ -134,8 +134,15 @@ class Controller {
   }
   /// The same for the end of the cycle that is about to run.
   void PlaceAtTick() { pending_ns_ = 0; }
-  /// The microseconds after which the next cycle has passed, rounded up.
-  int64_t UsToNextTick() const;
+  /// The microseconds after which so many more cycles have passed, rounded up.
+  int64_t UsToTick(int64_t cycles) const;
+  int64_t UsToNextTick() const { return UsToTick(1); }
+  /// True if the card has interrupted its host since the last call of this.
+  bool TakeInterrupt() { return std::exchange(interrupts_host_, false); }
+  /// After how many cycles it may do so (Family::cycles_before_interrupt).
+  int64_t CyclesBeforeInterrupt() const;
+  /// True if something goes on: motion, or an event outside of the card that is still to come.
+  bool GoesOn() const;
   /// Runs one profile cycle: motion tick, the part of the family, then the threads with their
   /// budget.
   void RunCycle();
@@ -196,6 +203,7 @@ class Controller {
   void ObserveRefusals(gtcalls::RefusalObserver observer);
   /// Lets the motion core report to all who listen.
   void PassEventsOn();
+  void TellListeners(const Message& what) const;
   /// The threads' part of a cycle, with the observer and the host.
   void ExecuteInParts(int64_t budget);
   /// Runs at least one and at most `limit` cycles, after which motion may be late; returns their
@@ -229,6 +237,7 @@ class Controller {
   std::function<void()> state_observer_;
   CycleHost cycle_host_;
   int64_t host_acts_after_ = 0;  // statements of this cycle
+  bool interrupts_host_ = false;
   std::function<void()> clock_listener_;
   int64_t pending_ns_ = 0;  // host time not yet converted to cycles
   int64_t pending_statements_ =

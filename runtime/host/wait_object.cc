@@ -1,0 +1,141 @@
+#include "runtime/host/wait_object.h"
+
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "base/message.h"
+#include "runtime/host/call_scope.h"
+#include "runtime/host/host_clock.h"
+#include "runtime/host/host_interrupts.h"
+#include "runtime/host/host_time.h"
+#include "runtime/host/virtual_time.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// Said once: a host may wait again and again.
+void ReportHopelessWait() {
+  static std::atomic<bool> said = false;
+  if (said.exchange(true)) return;
+  const Message message = MakeMessage(
+      "every thread waits for an interrupt that cannot come: the wait fails after {} s",
+      "所有线程都在等待不可能到来的中断：{} s 后等待失败", kNothingComesNs / 1'000'000'000);
+  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
+}
+
+}  // namespace
+
+// --- Objects -------------------------------------------------------------------------------------
+
+bool WaitObject::Take() {
+  const std::lock_guard lock(mutex_);
+  if (!is_set_) return false;
+  is_set_ = !automatic_;
+  return true;
+}
+
+void WaitObject::Set() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_set_ = true;
+    ++changes_;
+  }
+  if (HostTimeIsVirtual()) {
+    VirtualTime::OfProcess().Wake(changes_, !automatic_);
+  } else {
+    ::syscall(SYS_futex, &changes_, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
+  }
+}
+
+void WaitObject::Reset() {
+  const std::lock_guard lock(mutex_);
+  is_set_ = false;
+}
+
+WaitObject::End WaitObject::Wait(int64_t duration_ns) {
+  return HostTimeIsVirtual() ? WaitInVirtualTime(duration_ns) : WaitInRealTime(duration_ns);
+}
+
+WaitObject::End WaitObject::WaitInVirtualTime(int64_t duration_ns) {
+  VirtualTime& time = VirtualTime::OfProcess();
+  HostInterrupts::OfProcess().Listen();
+  if (duration_ns == 0) LookAtHostTimeNs();
+  const int64_t deadline_ns = duration_ns < 0 ? VirtualTime::kNeverNs : time.After(duration_ns);
+  for (;;) {
+    HostInterrupts::OfProcess().Come();
+    const CallScope scope;
+    const int seen = changes_;
+    if (Take()) return End::kSet;
+    if (time.NowNs() >= deadline_ns) return End::kTimeOut;
+    if (time.SleepOn(changes_, seen, deadline_ns) == VirtualTime::Woken::kNever) {
+      ReportHopelessWait();
+      return End::kFailed;
+    }
+  }
+}
+
+WaitObject::End WaitObject::WaitInRealTime(int64_t duration_ns) {
+  const int64_t begin_ns = HostClock::SteadyNanoseconds();
+  for (;;) {
+    HostInterrupts& interrupts = HostInterrupts::OfProcess();
+    interrupts.Come();
+    const int seen = changes_;
+    if (Take()) return End::kSet;
+    int64_t left_ns = INT64_MAX;
+    if (duration_ns >= 0) left_ns = duration_ns - (HostClock::SteadyNanoseconds() - begin_ns);
+    if (left_ns <= 0) return End::kTimeOut;
+    if (interrupts.Awaited()) left_ns = std::min(left_ns, kRealStepNs);
+    constexpr int64_t kSecondNs = 1'000'000'000;
+    const timespec at_most = {static_cast<time_t>(left_ns / kSecondNs),
+                              static_cast<long>(left_ns % kSecondNs)};
+    ::syscall(SYS_futex, &changes_, FUTEX_WAIT_PRIVATE, seen, &at_most);
+  }
+}
+
+// --- Handles -------------------------------------------------------------------------------------
+
+namespace {
+
+struct Handles {
+  std::mutex mutex;
+  std::map<const void*, std::shared_ptr<WaitObject>> objects;
+
+  static Handles& OfProcess() {
+    // Never destroyed: other threads of the host may still wait while the process exits.
+    static Handles& handles = *new Handles;
+    return handles;
+  }
+};
+
+}  // namespace
+
+void* OpenHandle(std::shared_ptr<WaitObject> object) {
+  Handles& handles = Handles::OfProcess();
+  const std::lock_guard lock(handles.mutex);
+  void* const handle = object.get();
+  handles.objects.emplace(handle, std::move(object));
+  return handle;
+}
+
+std::shared_ptr<WaitObject> FindObject(const void* handle) {
+  Handles& handles = Handles::OfProcess();
+  const std::lock_guard lock(handles.mutex);
+  const auto found = handles.objects.find(handle);
+  return found == handles.objects.end() ? nullptr : found->second;
+}
+
+bool CloseHandle(const void* handle) {
+  Handles& handles = Handles::OfProcess();
+  const std::lock_guard lock(handles.mutex);
+  return handles.objects.erase(handle) != 0;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,52 @@
+// What the threads of a host wait for with WaitForSingleObject(): events, and the ends of threads.
+// In virtual time a thread that waits lets time go on, as one that sleeps (virtual_time.h); with
+// the real clock it looks at the cards that may interrupt the host by itself (host_interrupts.h).
+//
+// A host knows an object by its handle, which is checked at every use. Thread-safe.
+// Tested by tests/runtime/wait_object_test.cc and tests/tools/windows_events_test.cc.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+namespace oncard::runtime {
+
+class WaitObject {
+ public:
+  /// How a wait has ended.
+  enum class End : uint8_t { kSet, kTimeOut, kFailed };
+
+  /// `automatic`: one wait that ends because it is set resets it.
+  WaitObject(bool automatic, bool is_set) : automatic_(automatic), is_set_(is_set) {}
+  WaitObject(const WaitObject&) = delete;
+  WaitObject& operator=(const WaitObject&) = delete;
+
+  /// Sets it, and wakes those who wait: if it is automatic one of them, else all.
+  void Set();
+  void Reset();
+  /// Waits until it is set, at most this long; a negative duration means for ever. A duration of 0
+  /// counts as reading the clock. Fails if nobody can set it any more. To be called outside of a
+  /// CallScope.
+  End Wait(int64_t duration_ns);
+
+ private:
+  bool Take();
+  End WaitInVirtualTime(int64_t duration_ns);
+  End WaitInRealTime(int64_t duration_ns);
+
+  std::mutex mutex_;  // guards is_set_
+  const bool automatic_;
+  bool is_set_;
+  std::atomic<int> changes_ = 0;  // a futex
+};
+
+/// A handle for the object, which lives as long as it is open and anybody uses it.
+void* OpenHandle(std::shared_ptr<WaitObject> object);
+/// nullptr if there is no such handle.
+std::shared_ptr<WaitObject> FindObject(const void* handle);
+/// False if there is no such handle.
+bool CloseHandle(const void* handle);
+
+}  // namespace oncard::runtime
