@@ -199,6 +199,64 @@ TEST(ToySample, FillsTheArraysOfTheHost) {
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }
 
+// --- Interrupts ----------------------------------------------------------------------------------
+
+// The handler runs after the tick and before the next one: during a sleep, after the command that
+// waited for the tick has acted, in the middle of the 0.05 ms of a call, which then goes on, and
+// when interrupts are enabled again. That of cycle 60 comes while the handler runs.
+TEST(ToyInterrupts, RunAHandlerInsideTheCallsOfTheHost) {
+  const ScratchFolder folder;
+  const ProcessResult host = RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_handler"},
+                                    folder, {"ONCARD_LOG=calls:log.txt"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(folder.Read("log.txt"),
+            "0.000 card0 TOY_Open(0) = 0\n"
+            "0.000 card0 TOY_OnInterrupt(handler) = 0\n"
+            "0.050 card0 TOY_Move(2, {velocity=10, acceleration=10}) = 0\n"
+            "10.000 card0: interrupt in cycle 10\n"
+            "10.050 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "20.000 card0: interrupt in cycle 20\n"
+            "19.100 card0 TOY_Tick(pCycle) = 0, pCycle=[20]\n"
+            "20.050 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "30.000 card0: interrupt in cycle 30\n"
+            "30.050 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "30.070 card0 TOY_Sum([2], 1, pSum) = 0, pSum=[2]\n"
+            "40.000 card0: interrupt in cycle 40\n"
+            "40.120 card0 TOY_Sum([2], 1, pSum) = 0, pSum=[2]\n"
+            "40.170 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "50.000 card0: interrupt in cycle 50\n"
+            "50.050 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "60.000 card0: interrupt in cycle 60\n"
+            "62.100 card0 TOY_Sum([1], 1, pSum) = 0, pSum=[1]\n"
+            "62.100 card0 TOY_OnInterrupt(NULL) = 0\n"
+            "70.000 card0: interrupt in cycle 70\n"
+            "72.100 card0 TOY_Close() = 0\n");
+  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+TEST(ToyInterrupts, AreTheSameInEveryRun) {
+  std::vector<std::string> logs;
+  for (const char* host : {"/toy_handler"}) {
+    for (int run = 0; run < 2; ++run) {
+      const ScratchFolder folder;
+      const ProcessResult ran = RunToy({"exec", "--record=host.calls", "--", kFolder + host},
+                                       folder, {"ONCARD_LOG=calls:log.txt"});
+      logs.push_back(ran.out + folder.Read("log.txt") + folder.Read("host.calls"));
+    }
+    EXPECT_EQ(logs.end()[-1], logs.end()[-2]) << host;
+  }
+}
+
+// The thread or the loop that waits lets the card go on: without that this would not end.
+TEST(ToyInterrupts, ComeWithTheRealClock) {
+  const ScratchFolder folder;
+  for (const char* host : {"/toy_handler"}) {
+    const ProcessResult ran = RunProgram({kFolder + host}, folder.path(), {"ONCARD_CLOCK=real"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  }
+}
+
 TEST(ToyCommands, AreListed) {
   const ScratchFolder folder;
   const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);

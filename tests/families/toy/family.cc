@@ -68,8 +68,26 @@ int16_t Sum(Call& call) {
 }
 
 /// In the order of the commands' numbers.
-constexpr CommandFunction kFunctions[] = {nullptr,  nullptr, Move,   nullptr, nullptr,
-                                          SetCycle, Tick,    Sample, Sum};
+constexpr CommandFunction kFunctions[] = {nullptr, nullptr, Move, nullptr, nullptr, SetCycle,
+                                          Tick,    Sample,  Sum,  nullptr, nullptr};
+
+/// The card interrupts its host so often while axis 2 moves.
+constexpr int64_t kInterruptCycles = 10;
+
+bool Interrupts(const CardView& card) {
+  return (card.motion.Conditions(1) & motion::kMovingBit) != 0;
+}
+
+void InterruptHost(Card& card) {
+  const int64_t cycle = card.motion.cycle();
+  if (!Interrupts(card.view()) || cycle % kInterruptCycles != 0) return;
+  card.interrupt_host(MakeMessage("interrupt in cycle {}", "第 {} 周期的中断", cycle));
+}
+
+int64_t CyclesBeforeInterrupt(const CardView& card) {
+  if (!Interrupts(card)) return kNeverActs;
+  return kInterruptCycles - card.motion.cycle() % kInterruptCycles;
+}
 
 }  // namespace
 
@@ -98,6 +116,9 @@ const Family& ToyFamily() {
       // A family that keeps something has an alternative of its own in family_state.h.
       .new_state = [] { return FamilyState(); },
       .reset = [](FamilyState&) {},
+      .after_tick = InterruptHost,
+      .cycles_before_act = [](const CardView& card) { return CyclesBeforeInterrupt(card) - 1; },
+      .cycles_before_interrupt = CyclesBeforeInterrupt,
   };
   return kFamily;
 }

@@ -22,6 +22,8 @@ constexpr std::string_view kHead =
 
 typedef void (*TOY_Handler)(int card);
 typedef void (*TOY_Hearer)(const char* call, short code);
+typedef void (*TOY_Isr)(void);
+typedef void* TOY_Event;
 typedef const void* TOY_Bytes;
 )";
 

@@ -3,7 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "runtime/host/host_interrupts.h"
 #include "runtime/host/library.h"
+#include "runtime/host/wait_object.h"
 
 namespace oncard::gtcalls {
 const Family& ToyFamily();
@@ -34,11 +36,26 @@ void TellHost(std::string inputs, int16_t code) {
   if (const Hearer hears = hearer) hears(inputs.c_str(), code);
 }
 
+int16_t OnInterrupt(ServiceCall& call) {
+  HostInterrupts::OfProcess().Answer(
+      call.card(),
+      {.handler = reinterpret_cast<void (*)()>(call.arguments[0].host), .event = nullptr});
+  return vm::kOk;
+}
+
+int16_t SetEvent(ServiceCall& call) {
+  HostInterrupts::OfProcess().Answer(
+      call.card(), {.handler = nullptr, .event = FindObject(call.arguments[0].host)});
+  return vm::kOk;
+}
+
 constexpr HostService kServices[] = {
     {"TOY_Open", true, OpenCard},
     {"TOY_Close", false, CloseCard},
     {"TOY_Call", false, CallHandler},
     {"TOY_Hook", true, Hook},
+    {"TOY_OnInterrupt", false, OnInterrupt},
+    {"TOY_SetEvent", false, SetEvent},
 };
 
 }  // namespace
