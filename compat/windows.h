@@ -1,6 +1,8 @@
-/* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks. Sleep
-   and the clocks use the card's virtual time if ONCARD_CLOCK is virtual. `long` has the computer's
-   width; DWORD and LONG are the types of gts.h, as on Windows. */
+/* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks, events
+   and threads. All of them use the card's virtual time if ONCARD_CLOCK is virtual. `long` has the
+   computer's width; DWORD and LONG are the types of gts.h, as on Windows.
+
+   Events and threads are in the libraries of cards that interrupt their host. */
 #ifndef ONCARD_COMPAT_WINDOWS_H_
 #define ONCARD_COMPAT_WINDOWS_H_
 
@@ -40,6 +42,11 @@ typedef float FLOAT;
 typedef double DOUBLE;
 typedef char* LPSTR;
 typedef const char* LPCSTR;
+typedef void* PVOID;
+typedef void* LPVOID;
+typedef DWORD* LPDWORD;
+typedef void* HANDLE;
+typedef HANDLE HEVENT;
 
 #ifndef TRUE
 #define TRUE 1
@@ -89,6 +96,46 @@ static inline BOOL QueryPerformanceFrequency(LARGE_INTEGER* frequency) {
 static inline BOOL QueryPerformanceCounter(LARGE_INTEGER* counter) {
   counter->QuadPart = oncard_host_time_ns() / 100;
   return TRUE;
+}
+
+/* A handle that cannot be made is NULL. */
+#define INVALID_HANDLE_VALUE ((HANDLE)(intptr_t)-1)
+#define INFINITE 0xFFFFFFFFu
+#define WAIT_OBJECT_0 0u
+#define WAIT_TIMEOUT 258u
+#define WAIT_FAILED 0xFFFFFFFFu
+
+/* Security and names of events are for other processes, and are not used. */
+static inline HANDLE CreateEvent(void* security, BOOL manual_reset, BOOL initial_state,
+                                 LPCSTR name) {
+  (void)security;
+  (void)name;
+  return oncard_host_event_new(!manual_reset, initial_state);
+}
+static inline BOOL SetEvent(HANDLE event) { return oncard_host_event_set(event, 1); }
+static inline BOOL ResetEvent(HANDLE event) { return oncard_host_event_set(event, 0); }
+static inline BOOL CloseHandle(HANDLE object) { return oncard_host_event_close(object); }
+
+/* Of an event, or of the end of a thread. */
+static inline DWORD WaitForSingleObject(HANDLE object, DWORD milliseconds) {
+  const int how = oncard_host_event_wait(
+      object, milliseconds == INFINITE ? -1 : (long long)milliseconds * 1000000);
+  return how > 0 ? WAIT_OBJECT_0 : how == 0 ? WAIT_TIMEOUT : WAIT_FAILED;
+}
+
+typedef DWORD(WINAPI* LPTHREAD_START_ROUTINE)(LPVOID parameter);
+
+/* The stack has the size that is usual here, and the thread runs at once. */
+static inline HANDLE CreateThread(void* security, size_t stack_size, LPTHREAD_START_ROUTINE start,
+                                  LPVOID parameter, DWORD flags, LPDWORD thread_id) {
+  (void)security;
+  (void)stack_size;
+  (void)flags;
+  return oncard_host_thread_new(start, parameter, thread_id);
+}
+static inline void ExitThread(DWORD code) {
+  (void)code;
+  oncard_host_thread_exit();
 }
 
 #endif

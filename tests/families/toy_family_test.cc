@@ -237,7 +237,7 @@ TEST(ToyInterrupts, RunAHandlerInsideTheCallsOfTheHost) {
 
 TEST(ToyInterrupts, AreTheSameInEveryRun) {
   std::vector<std::string> logs;
-  for (const char* host : {"/toy_handler"}) {
+  for (const char* host : {"/toy_handler", "/toy_events"}) {
     for (int run = 0; run < 2; ++run) {
       const ScratchFolder folder;
       const ProcessResult ran = RunToy({"exec", "--record=host.calls", "--", kFolder + host},
@@ -248,13 +248,59 @@ TEST(ToyInterrupts, AreTheSameInEveryRun) {
   }
 }
 
+// Both threads wait until the tick of the interrupt.
+TEST(ToyInterrupts, WakeTheThreadThatWaitsForTheEvent) {
+  const ScratchFolder folder;
+  const ProcessResult host = RunToy({"exec", "--", kFolder + "/toy_events"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "1: 0 at 10\n"
+            "2: 0 at 20\n"
+            "3: 0 at 30\n"
+            "ended 0\n"
+            "closed 1 1\n");
+}
+
 // The thread or the loop that waits lets the card go on: without that this would not end.
 TEST(ToyInterrupts, ComeWithTheRealClock) {
   const ScratchFolder folder;
-  for (const char* host : {"/toy_handler"}) {
+  for (const char* host : {"/toy_handler", "/toy_events"}) {
     const ProcessResult ran = RunProgram({kFolder + host}, folder.path(), {"ONCARD_CLOCK=real"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
   }
+}
+
+// 258 is a time-out, 4294967295 a failure. Nothing can set the event of the last wait: it fails
+// after 60 s of virtual time.
+TEST(ToyInterrupts, WaitsEndAsWindowsSays) {
+  const ScratchFolder folder;
+  const ProcessResult host =
+      RunToy({"exec", "--", kFolder + "/toy_waits"}, folder, {"ONCARD_LANG=en"});
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "manual 0 at 0\n"
+            "manual 0 at 0\n"
+            "automatic 0 at 0\n"
+            "automatic 258 at 0\n"
+            "time-out 258 at 20\n"
+            "thread 0 at 25\n"
+            "set 0 at 25\n"
+            "hopeless 4294967295 at 60025\n"
+            "closed 4294967295 at 60025\n"
+            "0 0\n");
+  EXPECT_THAT(host.err, HasSubstr("oncard: every thread waits for an interrupt that cannot come: "
+                                  "the wait fails after 60 s\n"));
+}
+
+// Both threads of the host wait, one of them for an event that does not come.
+TEST(ToyInterrupts, AScenarioEndsAHostThatWaits) {
+  const ScratchFolder folder;
+  folder.Write("events.host.toml",
+               "card = \"TOY-2\"\nuntil_ms = 15\nexpect = [\"axis2.prfPos == 95 @ 10ms\"]\n");
+  const ProcessResult host =
+      RunToy({"exec", "--scenario=events.host.toml", "--", kFolder + "/toy_events"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out, "1: 0 at 10\n");
 }
 
 TEST(ToyCommands, AreListed) {
