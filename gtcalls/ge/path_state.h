@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "gtcalls/ge/path_look_ahead.h"
+#include "gtcalls/shared/list_words.h"
 #include "motion/common/rare.h"
 #include "motion/paths/coordinates.h"
-#include "motion/paths/item_queue.h"
 
 namespace oncard::gtcalls::ges {
 
@@ -34,23 +34,6 @@ struct BetweenSegments {
   uint16_t bit_levels = 0;
 
   auto Fields() const { return std::tie(outputs, delays, bit_mask, bit_levels); }
-};
-
-/// The words of the buffer that are in use. Each segment counts with the commands before it, and
-/// is free when it has ended.
-struct ListWords {
-  uint32_t used = 0;
-  uint32_t since_segment = 0;            ///< of commands after the last segment
-  motion::ItemQueue<uint32_t> segments;  ///< of those that have not ended
-  int32_t freed = 0;                     ///< segments that are free again
-
-  /// Forgets the segments that have ended, `done` of all.
-  void Free(int32_t done);
-  bool Fit(uint32_t words) const { return used + words <= kListWords; }
-  void AddCommand(uint32_t words);
-  void AddSegment(uint32_t words);
-
-  auto Fields() const { return std::tie(used, since_segment, segments, freed); }
 };
 
 /// The list as GT_StrtList begins it.

@@ -125,6 +125,19 @@ bool Crd::Drives(size_t profile) const {
   return false;
 }
 
+Coordinates Crd::FirstDirection() const {
+  const CrdFifo& fifo = active();
+  if (fifo.executing) return fifo.current.segment.TangentAt(fifo.path);
+  if (fifo.slots.empty() || !fifo.slots.front().is_segment) return {};
+  const PathSlot& first = fifo.slots.front();
+  if (!first.approach.in_use()) return first.segment.TangentAt(0);
+  Coordinates way{};
+  for (size_t i = 0; i < way.size(); ++i) {
+    if ((first.approach.axes >> i & 1) != 0) way[i] = first.segment.end[i] - position[i];
+  }
+  return way;
+}
+
 double Crd::VelocityLimit(const Segment& segment) const {
   double limit = std::numeric_limits<double>::max();
   for (size_t i = 0; i < dimension(); ++i) {

@@ -257,6 +257,8 @@ struct Crd {
     return false;
   }
 
+  /// The direction in which a run that has been started begins; 0 if not with a segment.
+  Coordinates FirstDirection() const;
   /// The largest velocity along a segment that GT_SetCrdSingleMaxVel allows.
   double VelocityLimit(const Segment& segment) const;
   /// Appends a slot to a FIFO; false if there is no space, and then nothing has changed.

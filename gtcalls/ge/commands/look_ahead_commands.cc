@@ -8,7 +8,7 @@
 
 #include "gtcalls/ge/commands/list_support.h"
 #include "gtcalls/ge/commands/path_support.h"
-#include "gtcalls/ge/commands/segment_support.h"
+#include "gtcalls/shared/segment_request.h"
 
 namespace oncard::gtcalls::ges {
 namespace {
@@ -119,7 +119,7 @@ bool HandOver(Call& call, bool ended) {
   const PathSlot& oldest = look_ahead.window->ring.front();
   const uint32_t words = WordsOfSlot(oldest, list.dimension, look_ahead.handed_feed);
   list.words.Free(CrdOf(call.card).fifos[kListFifo].done);
-  if (!list.words.Fit(words)) return false;
+  if (!list.words.Fit(words, kListWords)) return false;
   const PathSlot slot = look_ahead.window->Take(ended);
   if (slot.is_segment) {
     look_ahead.handed_feed = slot.velocity;
@@ -179,7 +179,7 @@ int16_t EnterSegment(Call& call) {
   if (request.direction != 1 && request.direction != -1) {
     return RefuseWith(call, kOtherRefusal, {"direction must be 1 or -1", "direction 应为 1 或 -1"});
   }
-  const SegmentResult result = MakeSegment(look_ahead.tail, request);
+  const SegmentResult result = MakeSegment(look_ahead.tail, request, kChordTolerance);
   if (!result.segment && !request.is_arc()) {
     return RefuseWith(call, kSamePoint,
                       {"the point is that before: it is left out", "该点与前一点相同，已忽略"});
@@ -195,7 +195,7 @@ int16_t EnterSegment(Call& call) {
   slot.velocity = feed;
   slot.acceleration = look_ahead.acceleration;
   slot.ends_at_rest = Named(call, "dccFlag") != 0;
-  slot.second_override = request.rests;
+  slot.second_override = IsG0(call.command);
   if (!EnterBits(call) || !Enter(call, slot)) {
     Report(call, 0, kNoRoom);
     return RefuseFull(call);

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "gtcalls/ge/commands/path_support.h"
-#include "gtcalls/ge/commands/segment_support.h"
 #include "gtcalls/ge/status_words.h"
+#include "gtcalls/shared/segment_request.h"
 
 namespace oncard::gtcalls::ges {
 namespace {
@@ -146,17 +146,17 @@ int16_t GT_MapCnt(Call& call) {
 
 namespace {
 
-int16_t RefuseGeometry(Call& call, int16_t code) {
-  switch (code) {
-    case kNoRadius:
-      return RefusePath(
-          call, code, kPathState,
-          {"the radius, the chord or the angle of the arc is 0", "圆弧的半径、弦长或角度为 0"});
-    case kChordTooLong:
-      return RefusePath(call, code, kPathState,
+int16_t RefuseGeometry(Call& call, SegmentFault fault) {
+  switch (fault) {
+    case SegmentFault::kNoLength:
+      return RefusePath(call, kNoLength, kPathState, {"the line has no length", "直线长度为 0"});
+    case SegmentFault::kChordTooLong:
+      return RefusePath(call, kChordTooLong, kPathState,
                         {"the chord of the arc is longer than its diameter", "圆弧的弦长大于直径"});
     default:
-      return RefusePath(call, code, kPathState, {"the line has no length", "直线长度为 0"});
+      return RefusePath(
+          call, kNoRadius, kPathState,
+          {"the radius, the chord or the angle of the arc is 0", "圆弧的半径、弦长或角度为 0"});
   }
 }
 
@@ -170,8 +170,9 @@ int16_t AppendToList(Call& call, const SegmentRequest& request) {
                       MakeMessage("the list has begun with {0} coordinates",
                                   "缓冲区起点只有 {0} 个坐标", list.dimension));
   }
-  const SegmentResult result = MakeSegment(CrdOf(call.card).fifos[kListFifo].tail, request);
-  if (!result.segment) return RefuseGeometry(call, result.code);
+  const SegmentResult result =
+      MakeSegment(CrdOf(call.card).fifos[kListFifo].tail, request, kChordTolerance);
+  if (!result.segment) return RefuseGeometry(call, result.fault);
   const uint32_t words = WordsOf(call.command);
   code = CheckRoom(call, words);
   if (code != vm::kOk) return code;
@@ -181,11 +182,11 @@ int16_t AppendToList(Call& call, const SegmentRequest& request) {
   slot.velocity = list.feed;
   slot.acceleration = list.acceleration;
   slot.end_velocity = list.end_velocity.value_or(motion::kUnlimited);
-  slot.ends_at_rest = request.rests;
-  slot.second_override = request.rests;
+  slot.ends_at_rest = IsG0(call.command);
+  slot.second_override = slot.ends_at_rest;
   list.end_velocity.reset();
   // A line of G0 begins at rest, too.
-  if (request.rests) DriverOf(call.card).RestAfterLast(kListFifo);
+  if (slot.ends_at_rest) DriverOf(call.card).RestAfterLast(kListFifo);
   AppendSegment(call.card, slot, words);
   return vm::kOk;
 }
@@ -200,8 +201,8 @@ int16_t ExecuteNow(Call& call, const SegmentRequest& request) {
   for (size_t i = 0; i < call.card.motion.axis_count(); ++i) {
     start[i] = call.card.motion.profile(i).now.position - crd.origin[i];
   }
-  const SegmentResult result = MakeSegment(start, request);
-  if (!result.segment) return RefuseGeometry(call, result.code);
+  const SegmentResult result = MakeSegment(start, request, kChordTolerance);
+  if (!result.segment) return RefuseGeometry(call, result.fault);
   if (path.velocity == 0 || path.acceleration == 0) {
     return RefusePath(call, kBadRate, kPathState,
                       {"there is no feed or acceleration, call GT_SetSynVel and GT_SetSynAcc first",
@@ -213,7 +214,7 @@ int16_t ExecuteNow(Call& call, const SegmentRequest& request) {
   slot.velocity = path.velocity;
   slot.acceleration = path.acceleration;
   slot.ends_at_rest = true;
-  slot.second_override = request.rests;
+  slot.second_override = IsG0(call.command);
   motion::CrdDriver driver = DriverOf(call.card);
   driver.Clear(kImmediateFifo);
   driver.Append(kImmediateFifo, slot);

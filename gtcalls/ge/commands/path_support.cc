@@ -99,7 +99,7 @@ int16_t CheckListBegun(Call& call, bool looks_ahead) {
 int16_t CheckRoom(Call& call, uint32_t words) {
   ListWords& used = ListOf(call).words;
   used.Free(CrdOf(call.card).fifos[kListFifo].done);
-  return used.Fit(words) ? vm::kOk : RefuseFull(call);
+  return used.Fit(words, kListWords) ? vm::kOk : RefuseFull(call);
 }
 
 int16_t RefuseFull(Call& call, int16_t code) {
@@ -117,14 +117,6 @@ int16_t CheckRate(Call& call, size_t argument, bool may_be_zero) {
       MakeMessage("parameter {0} is {1}; the range is {2}0, {3}]",
                   "参数 {0} 为 {1}；取值范围为 {2}0, {3}]", call.command.parameters[argument].name,
                   rate, may_be_zero ? "[" : "(", kPathRateMax));
-}
-
-uint32_t WordsOf(const Command& command) {
-  uint32_t words = 1;
-  for (const Parameter& parameter : command.parameters) {
-    words += parameter.type == Scalar::kDouble || parameter.type == Scalar::kLong ? 2 : 1;
-  }
-  return words;
 }
 
 // --- The list --------------------------------------------------------------------------------
@@ -163,23 +155,9 @@ void AppendSegment(Card& card, PathSlot slot, uint32_t words) {
 
 namespace {
 
-/// The direction in which a run begins; 0 if it does not begin with a segment.
-Coordinates FirstDirection(const Crd& crd) {
-  const motion::CrdFifo& fifo = crd.active();
-  if (fifo.executing) return fifo.current.segment.TangentAt(fifo.path);
-  if (fifo.slots.empty() || !fifo.slots.front().is_segment) return {};
-  const PathSlot& first = fifo.slots.front();
-  if (!first.approach.in_use()) return first.segment.TangentAt(0);
-  Coordinates way{};
-  for (size_t i = 0; i < way.size(); ++i) {
-    if ((first.approach.axes >> i & 1) != 0) way[i] = first.segment.end[i] - crd.position[i];
-  }
-  return way;
-}
-
 /// True if a run would begin towards a limit that an axis is at.
 bool BeginsIntoLimit(const Card& card) {
-  const Coordinates direction = FirstDirection(CrdOf(card));
+  const Coordinates direction = CrdOf(card).FirstDirection();
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
     const uint32_t conditions = card.motion.Conditions(axis);
     if (direction[axis] > 0 && (conditions & motion::kPositiveLimitBit) != 0) return true;

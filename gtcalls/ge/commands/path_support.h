@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "gtcalls/ge/commands/commands.h"
 #include "gtcalls/ge/path_state.h"
@@ -21,6 +22,9 @@ inline constexpr int16_t kNoRadius = 2;
 inline constexpr int16_t kNoLength = 3;
 inline constexpr int16_t kBadRate = 4;
 inline constexpr int16_t kChordTooLong = 5;
+
+/// Half of what a chord may exceed the diameter by: one pulse.
+inline constexpr double kChordTolerance = 0.5;
 
 inline Path& PathIn(const Card& card) { return *card.state<GeState>().path; }
 inline Path& PathOf(const Call& call) { return PathIn(call.card); }
@@ -54,8 +58,11 @@ int16_t RefuseFull(Call& call, int16_t code = vm::kRefused);
 /// 0, or 4 unless a rate is in (0, kPathRateMax], or in [0, kPathRateMax].
 int16_t CheckRate(Call& call, size_t argument, bool may_be_zero = false);
 
-/// The words that a command takes in the buffer (assumption).
-uint32_t WordsOf(const Command& command);
+/// True for commands of positioning moves, which rest at both ends and have an override of their
+/// own.
+inline bool IsG0(const Command& command) {
+  return command.name.find("G0") != std::string_view::npos;
+}
 
 /// A command as an element of a buffer.
 motion::PathSlot CommandSlot(const motion::BufferedCommand& command);

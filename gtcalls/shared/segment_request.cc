@@ -1,24 +1,15 @@
-#include "gtcalls/ge/commands/segment_support.h"
+#include "gtcalls/shared/segment_request.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "gtcalls/ge/commands/path_support.h"
 #include "motion/common/trigonometry.h"
 
-namespace oncard::gtcalls::ges {
+namespace oncard::gtcalls {
 namespace {
 
-/// Half of what a chord may exceed the diameter by: one pulse.
-constexpr double kChordTolerance = 0.5;
 constexpr double kFullCircle = 360;
-
-motion::ArcPlane PlaneOf(std::string_view command) {
-  if (command.starts_with("GT_ArcYZ")) return motion::kYzPlane;
-  if (command.starts_with("GT_ArcZX")) return motion::kZxPlane;
-  return motion::kXyPlane;
-}
 
 /// The coordinate that a parameter's name begins with.
 size_t CoordinateOf(std::string_view name) {
@@ -26,12 +17,31 @@ size_t CoordinateOf(std::string_view name) {
   return kNames.find(name.front());
 }
 
+/// The plane in which an arc turns from one coordinate to the other.
+motion::ArcPlane PlaneOf(const Command& command) {
+  const size_t first = CoordinateOf(command.parameters[0].name);
+  if (first == motion::kYzPlane.first) return motion::kYzPlane;
+  if (first == motion::kZxPlane.first) return motion::kZxPlane;
+  return motion::kXyPlane;
+}
+
+SegmentResult Found(std::optional<motion::Segment> segment, SegmentFault otherwise) {
+  if (segment) return {segment, SegmentFault::kNone};
+  return {std::nullopt, otherwise};
+}
+
 }  // namespace
+
+motion::Coordinates SegmentRequest::EndFrom(const motion::Coordinates& start) const {
+  motion::Coordinates point = start;
+  for (size_t i = 0; i < point.size(); ++i) {
+    if ((given >> i & 1) != 0) point[i] = end[i];
+  }
+  return point;
+}
 
 SegmentRequest ReadSegment(const Call& call, double scale) {
   SegmentRequest request;
-  request.plane = PlaneOf(call.command.name);
-  request.rests = call.command.name.find("G0") != std::string_view::npos;
   size_t centres = 0;
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     const std::string_view name = call.command.parameters[i].name;
@@ -53,35 +63,32 @@ SegmentRequest ReadSegment(const Call& call, double scale) {
       request.dimension = std::max(request.dimension, CoordinateOf(name) + 1);
     }
   }
+  if (request.is_arc()) request.plane = PlaneOf(call.command);
   return request;
 }
 
-SegmentResult MakeSegment(const motion::Coordinates& start, const SegmentRequest& request) {
-  motion::Coordinates end = start;
-  for (size_t i = 0; i < end.size(); ++i) {
-    if ((request.given >> i & 1) != 0) end[i] = request.end[i];
-  }
+SegmentResult MakeSegment(const motion::Coordinates& start, const SegmentRequest& request,
+                          double tolerance) {
+  const motion::Coordinates end = request.EndFrom(start);
   const motion::ArcPlane plane = request.plane;
   const bool counter_clockwise = request.centre ? request.angle > 0 : request.direction > 0;
   if (request.centre) {
-    if (request.angle == 0) return {std::nullopt, kNoRadius};
+    if (request.angle == 0) return {std::nullopt, SegmentFault::kNoAngle};
     const double sweep = std::fabs(request.angle) / kFullCircle * 2 * motion::kPi;
-    const auto arc = motion::MakeArcWithSweep(
-        start, plane, (*request.centre)[0] - start[plane.first],
-        (*request.centre)[1] - start[plane.second], sweep, counter_clockwise);
-    return {arc, arc ? vm::kOk : kNoRadius};
+    return Found(motion::MakeArcWithSweep(start, plane, (*request.centre)[0] - start[plane.first],
+                                          (*request.centre)[1] - start[plane.second], sweep,
+                                          counter_clockwise),
+                 SegmentFault::kNoRadius);
   }
   if (request.radius) {
     const double radius = *request.radius;
     const bool chord =
         end[plane.first] != start[plane.first] || end[plane.second] != start[plane.second];
-    if (radius == 0 || !chord) return {std::nullopt, kNoRadius};
-    const auto arc =
-        motion::MakeArcWithRadius(start, end, plane, radius, counter_clockwise, kChordTolerance);
-    return {arc, arc ? vm::kOk : kChordTooLong};
+    if (radius == 0 || !chord) return {std::nullopt, SegmentFault::kNoChord};
+    return Found(motion::MakeArcWithRadius(start, end, plane, radius, counter_clockwise, tolerance),
+                 SegmentFault::kChordTooLong);
   }
-  const auto line = motion::MakeLine(start, end);
-  return {line, line ? vm::kOk : kNoLength};
+  return Found(motion::MakeLine(start, end), SegmentFault::kNoLength);
 }
 
-}  // namespace oncard::gtcalls::ges
+}  // namespace oncard::gtcalls
