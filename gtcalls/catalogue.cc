@@ -124,6 +124,12 @@ std::string_view SpellUnit(Unit unit) {
       return "pulse/ST^2";
     case Unit::kPulsePerSt3:
       return "pulse/ST^3";
+    case Unit::kLengthUnit:
+      return "length unit";
+    case Unit::kLengthUnitPerSt:
+      return "length unit/ST";
+    case Unit::kLengthUnitPerSt2:
+      return "length unit/ST^2";
     case Unit::kMillimetre:
       return "mm";
     case Unit::kMmPerS:

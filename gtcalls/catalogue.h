@@ -125,6 +125,9 @@ enum class Unit : uint8_t {
   kPulsePerSt,  ///< of a card that counts motion in sample times
   kPulsePerSt2,
   kPulsePerSt3,
+  kLengthUnit,  ///< of the coordinates of a path, as the host chooses it
+  kLengthUnitPerSt,
+  kLengthUnitPerSt2,
   kMillimetre,
   kMmPerS,
   kMmPerS2,

@@ -19,7 +19,8 @@ namespace {
 
 // What GT400 commands accept fits into the core. The distance between two positions fits an
 // int32_t.
-static_assert(kAxisMax <= motion::kAxisMax);
+static_assert(kAxisMax <= motion::kAxisMax && kAxisMax == motion::kMappedAxisMax);
+static_assert(kCoordinateMax == motion::kCrdDimensionMax);
 static_assert(int64_t{kPositionMax} - kPositionMin <= std::numeric_limits<int32_t>::max());
 
 /// Table 2-1 of the GT manual: "communication error".

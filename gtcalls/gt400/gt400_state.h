@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "gtcalls/gt400/limits.h"
+#include "gtcalls/gt400/path_state.h"
 #include "motion/common/rare.h"
 
 namespace oncard::gtcalls {
@@ -84,9 +85,10 @@ struct Gt400State {
   uint16_t command_register = 0;
   bool path_refused = false;              ///< the last path command
   uint8_t adc_channels = gt400::kAdcMax;  ///< GT_SetAdcChn: those that are converted
+  gt400::Path path;
 
   auto Fields() const {
-    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels);
+    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels, path);
   }
 };
 

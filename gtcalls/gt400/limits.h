@@ -17,6 +17,8 @@ inline constexpr double kRateMax = 16384;
 inline constexpr double kSCurveEnd = 0.5;
 /// Gains, the limits of the servo controller and the following error limit.
 inline constexpr int kServoMax = 32767;
+/// Coordinates of a path.
+inline constexpr int kCoordinateMax = 4;
 /// Encoders that belong to no axis.
 inline constexpr size_t kAuxiliaryEncoders = 2;
 inline constexpr int kAdcMax = 8;

@@ -28,6 +28,18 @@ constexpr Spec Jerk(std::string_view name) { return Double(name).In(Unit::kPulse
 constexpr Spec AuxiliaryEncoder(std::string_view name) {
   return UShort(name).In(Unit::kIndex).Range(1, kAuxiliaryEncoders);
 }
+constexpr Spec Coordinate(std::string_view name) { return Double(name).In(Unit::kLengthUnit); }
+constexpr Spec PathVelocity(std::string_view name) {
+  return Double(name).In(Unit::kLengthUnitPerSt);
+}
+constexpr Spec PathAcceleration(std::string_view name) {
+  return Double(name).In(Unit::kLengthUnitPerSt2);
+}
+/// The coordinates x, y, z, a.
+constexpr Spec Point() {
+  return Double("point").Output().In(Unit::kLengthUnit).Array(kCoordinateMax);
+}
+constexpr Spec Angle() { return Double("angle").Range(-360, 360); }
 constexpr Spec Word(std::string_view name) { return UShort(name).In(Unit::kBits); }
 
 }  // namespace oncard::gtcalls::gt400::words
