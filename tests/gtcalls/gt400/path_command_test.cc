@@ -137,6 +137,9 @@ TEST(GtPathStatus, IsThatOfTheManualAfterAReset) {
 
 TEST(GtPathStatus, ShowsASingleSegment) {
   PathTestCard card;
+  card.Do("GT_StrtList");
+  EXPECT_FALSE(card.PathBit(7));
+  card.Do("GT_EndList");
   card.SetRates(1, 0.01);
   card.Do("GT_LnXY", {200, 0});
   card.Cycle();
