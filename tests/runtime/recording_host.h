@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "gtcalls/gts/family.h"
+#include "gtcalls/card_type.h"
+#include "gtcalls/family.h"
 #include "runtime/scenario/record/call_record.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "tests/runtime/scenario_support.h"
@@ -14,17 +16,18 @@
 
 namespace oncard::runtime {
 
-/// Makes calls every 50 us.
+/// Makes calls every 50 us, on a GTS card unless another one is named.
 class RecordingHost {
  public:
-  RecordingHost() : controller_(CardOptions(scenario_)) {
+  explicit RecordingHost(std::string_view card = {})
+      : scenario_(OfCard(card)), controller_(CardOptions(scenario_)) {
     text_ = FormatRecordHead() + FormatRecordedOpening(0, scenario_, true);
   }
 
   void Call(const std::string& name, const std::vector<double>& values) {
     std::vector<vm::CommandArgument> arguments(values.size());
     for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
-    const gtcalls::Command& command = *gtcalls::GtsFamily().catalogue.Find(name);
+    const gtcalls::Command& command = *controller_.family().catalogue.Find(name);
     Message reason;
     const int16_t code = controller_.Call(command, arguments, &reason);
     Write(RecordCall({controller_.NowUs(), 0, vm::kHostCaller, command, arguments, code, reason},
@@ -36,7 +39,7 @@ class RecordingHost {
     EXPECT_TRUE(controller_.Load(object).ok());
     RecordedCall call;
     call.time_us = controller_.NowUs();
-    call.command = gtcalls::GtsFamily().catalogue.Find("GT_Download");
+    call.command = controller_.family().catalogue.Find("GT_Download");
     call.arguments.resize(1);
     call.arguments[0].text = name + ".bin";
     call.program = vm::WriteObject(object, false);
@@ -54,6 +57,14 @@ class RecordingHost {
   const std::string& text() const { return text_; }
 
  private:
+  static Scenario OfCard(std::string_view name) {
+    Scenario scenario;
+    if (const auto card = gtcalls::FindCard(name)) {
+      scenario.card = name;
+      scenario.axis_count = card->type->axis_count;
+    }
+    return scenario;
+  }
   void Write(const RecordedCall& call) { AppendRecordedCall(0, call, &text_); }
 
   Scenario scenario_;

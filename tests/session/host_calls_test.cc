@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "session/host.h"
@@ -101,6 +103,50 @@ TEST_F(HostCallsTest, AreWhatTheSupervisorWarnsOf) {
   EXPECT_FALSE(warnings[0].contains("thread"));
   EXPECT_FALSE(warnings[0].contains("line"));
   EXPECT_EQ(warnings[1]["name"], "work-left");
+}
+
+/// How many parts of a kind the view of a card has.
+size_t CountParts(const Json& card, std::string_view kind) {
+  return static_cast<size_t>(
+      std::ranges::count_if(card["parts"], [&](const Json& part) { return part["part"] == kind; }));
+}
+
+// 10 pulse/ms are reached after 10 ms, and kept.
+TEST_F(HostCallsTest, ShowACardForPointToPointMotion) {
+  runtime::RecordingHost host("GE-400-PG");
+  host.Call("GT_AxisOn", {2});
+  host.Call("GT_PrflV", {2});
+  host.Call("GT_SetVel", {2, 10});
+  host.Call("GT_SetAcc", {2, 1});
+  host.Call("GT_Update", {2});
+  host.Call("GT_ExOpt", {0xFFFE});
+  host.Wait(50000);
+  host.Close();
+  Load(host.text());
+  EXPECT_EQ(Forward("stop")["state"]["over"], "host-end");
+  const Json card = Result("card");
+  EXPECT_EQ(CountParts(card, "axis"), 4u);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis2.prfVel"}})["value"], 10);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis1.prfVel"}})["value"], 0);
+  EXPECT_EQ(Result("evaluate", {{"text", "gpo"}})["value"], 0xFFFE);
+}
+
+// The line of 500 pulses has not come to its end after 30 ms at 10 pulse/ms.
+TEST_F(HostCallsTest, ShowAPathCard) {
+  runtime::RecordingHost host("GE-300-SG");
+  host.Call("GT_AxisOn", {1});
+  host.Call("GT_AxisOn", {2});
+  host.Call("GT_SetSynVel", {10});
+  host.Call("GT_SetSynAcc", {1});
+  host.Call("GT_LnXY", {300, 400});
+  host.Wait(30000);
+  host.Close();
+  Load(host.text());
+  EXPECT_EQ(Forward("stop")["state"]["over"], "host-end");
+  EXPECT_EQ(CountParts(Result("card"), "axis"), 3u);
+  EXPECT_EQ(Result("evaluate", {{"text", "crd1.run"}})["value"], 1);
+  EXPECT_EQ(Result("evaluate", {{"text", "crd1.vel"}})["value"], 10);
+  EXPECT_NEAR(Result("evaluate", {{"text", "axis2.prfVel"}})["value"], 8, 1e-9);
 }
 
 // --- Back ----------------------------------------------------------------------------------------
