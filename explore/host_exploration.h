@@ -1,7 +1,7 @@
 // Explores the threads that a host program has started, from the record of its calls
 // (runtime/scenario/record/call_record.h). The host is part of the surroundings: it makes the
-// recorded calls whatever the threads do. The module for WebAssembly has none of this: what reads
-// records is not in it. Tested by tests/explore/host_exploration_test.cc.
+// recorded calls whatever the threads do. The modules for WebAssembly have none of this. Tested by
+// tests/explore/host_exploration_test.cc.
 #pragma once
 
 #include <string>

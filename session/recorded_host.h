@@ -1,5 +1,6 @@
-// A session of the record of a host program. The module for WebAssembly has none: what reads
-// records is not in it. Tested by tests/session/host_calls_test.cc.
+// A session of the record of a host program. The module for programs has none: what reads records
+// is in the module for records only (web/wasm/records.cc). Tested by
+// tests/session/host_calls_test.cc.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -22,6 +22,7 @@
 #include "session/editor_requests.h"
 #include "structured_program.h"
 #include "web/wasm/module_host.h"
+#include "web/wasm/record_reader.h"
 
 namespace oncard::web {
 namespace {
@@ -188,7 +189,7 @@ std::vector<Json> Requests(const fs::path& samples) {
 
 Result<void> Write(const fs::path& samples, const std::string& requests_path,
                    const std::string& answers_path) {
-  ModuleHost host;
+  ModuleHost host(RecordReader());
   std::string requests;
   std::string answers;
   for (const Json& request : Requests(samples)) {

@@ -12,10 +12,11 @@
 
 #include "base/limits.h"
 #include "web/wasm/module_host.h"
+#include "web/wasm/record_reader.h"
 
 namespace {
 
-oncard::web::ModuleHost host;
+oncard::web::ModuleHost host(oncard::web::RecordReader());
 std::string request;
 std::string answer;
 

@@ -12,12 +12,15 @@ namespace oncard::web {
 
 class ModuleHost {
  public:
+  /// `calls` reads the records of hosts; nullptr: they are refused.
+  explicit ModuleHost(session::CallReader calls) : session_({}, explore::AddComments, calls) {}
+
   /// Executes one request: `explore`, as web/README.md describes it, or one of the session's. Every
   /// line of the answer ends in a newline. Any text is safe to give. Deterministic.
   std::string Handle(std::string_view request);
 
  private:
-  session::SessionHost session_{{}, explore::AddComments};
+  session::SessionHost session_;
 };
 
 }  // namespace oncard::web

@@ -1,9 +1,9 @@
 // Builds the page: static files in a folder, which any server of files can hand out.
-//   node tools/bundle.js FOLDER MODULE
-// MODULE is oncard.wasm. The licences of everything that is bundled are put beside it.
+//   node tools/bundle.js FOLDER MODULE...
+// The modules are oncard.wasm and oncard-records.wasm. The licences of everything that is bundled are put beside it.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { dirname, join, resolve } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { collectLessons } from "@oncard/lessons/collect";
@@ -44,7 +44,7 @@ function licenceOf(folder) {
   return `${name} ${version} (${license})\n\n${text}\n`;
 }
 
-export async function bundle(folder, module) {
+export async function bundle(folder, modules) {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   const { metafile } = await build({
@@ -64,7 +64,7 @@ export async function bundle(folder, module) {
     plugins: [lessons],
   });
   for (const file of ["index.html", "icon.svg"]) copyFileSync(join(here, file), join(folder, file));
-  copyFileSync(module, join(folder, "oncard.wasm"));
+  for (const module of modules) copyFileSync(module, join(folder, basename(module)));
   const packages = Object.keys(metafile.inputs).map((path) => packageOf(resolve(here, path)));
   const others = [
     ...new Set(packages.filter((path) => path && !nameIn(path).startsWith("@oncard/"))),
@@ -73,5 +73,5 @@ export async function bundle(folder, module) {
   writeFileSync(join(folder, "LICENSES.txt"), notices.join(`\n${"-".repeat(80)}\n\n`));
 }
 
-const [folder, module] = process.argv.slice(2);
-if (folder && module) await bundle(resolve(folder), resolve(module));
+const [folder, ...modules] = process.argv.slice(2);
+if (folder && modules.length > 0) await bundle(resolve(folder), modules);
