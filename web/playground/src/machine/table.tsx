@@ -3,7 +3,7 @@
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { type AxisView, placeOn, type Reach } from "./axes.js";
+import { type AxisView, grown, placeOn, type Reach } from "./axes.js";
 
 const size = 200;
 const edge = 8;
@@ -14,9 +14,12 @@ function onTable(part: number): number {
 }
 
 export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: Reach }) {
-  const { x, y, reachX, reachY } = props;
+  const { x, y } = props;
   const { machine: t } = texts.value;
   const path = usePath(x.axis, y.axis);
+  // A fast run goes further between two pictures than any of them shows.
+  const reachX = path.reduce((reach, [at]) => grown(reach, at), props.reachX);
+  const reachY = path.reduce((reach, [, at]) => grown(reach, at), props.reachY);
   const left = (value: number) => onTable(placeOn(reachX, value));
   const top = (value: number) => size - onTable(placeOn(reachY, value));
   const atX = left(x.position);
