@@ -5,12 +5,14 @@ import type { ComponentChildren } from "preact";
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
+import { RecordPanel } from "./panel/record.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
 import { MachinePanel } from "./machine/machine.js";
 import { ValuesPanel } from "./panel/values.js";
 import { ScopePanel } from "./scope/scope.js";
 import { present } from "./session/bench.js";
 import { isEdited } from "./session/on_card.js";
+import { record } from "./session/record.js";
 import { forgetLink, openedLink } from "./share/opened_link.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
@@ -21,6 +23,12 @@ import { TimelinePanel } from "./timeline/timeline.js";
 /** These show the card. */
 const ofCard: readonly Panel[] = ["values", "machine", "timeline", "scope"];
 
+/** The record of a host takes the place of the program. */
+function titleOf(name: Panel): string {
+  const t = texts.value;
+  return name === "program" && record.value ? t.record.title : t.panels[name];
+}
+
 function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
   const isOutdated = ofCard.includes(name) && isEdited.value && present.state.value !== undefined;
   return (
@@ -30,7 +38,7 @@ function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
       id={name}
     >
       <h2 class="panel-title" id={`panel-${name}`}>
-        {texts.value.panels[name]}
+        {titleOf(name)}
       </h2>
       {children}
     </section>
@@ -66,7 +74,7 @@ export function App() {
               showPanel(name);
             }}
           >
-            {t.panels[name]}
+            {titleOf(name)}
           </button>
         ))}
       </nav>
@@ -78,7 +86,7 @@ export function App() {
         </div>
         <div class="column">
           <Box name="program">
-            <ProgramPanel />
+            {record.value ? <RecordPanel opened={record.value} /> : <ProgramPanel />}
           </Box>
           <Box name="values">
             <ValuesPanel />

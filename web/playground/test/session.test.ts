@@ -6,6 +6,7 @@ import { afterAll, beforeAll, beforeEach, expect, test, vi } from "vitest";
 import { bench, present, session } from "../src/session/bench.js";
 import { followSource, messages } from "../src/session/messages.js";
 import { isEdited, ready, toggleBreakpoint } from "../src/session/on_card.js";
+import { chooseOpening, closeRecord, openRecord, record } from "../src/session/record.js";
 import { ownProgram } from "../src/store/own_program.js";
 import { chooseSpeed } from "../src/store/settings.js";
 import { edit, openLesson } from "../src/store/source.js";
@@ -16,7 +17,10 @@ vi.mock("../src/session/engines.js", async () => {
   const { ChildProcessTransport } = await import("@oncard/engine/child-process");
   const { oncard } = await import("../../engine/test/support.js");
   const engine = new Engine(new ChildProcessTransport(oncard));
-  return { startEngine: () => Promise.resolve(engine) };
+  return {
+    startEngine: () => Promise.resolve(engine),
+    fetchForRecords: () => Promise.resolve(false),
+  };
 });
 
 const counting = "int x;\nint main()\n{\n  x = 1;\n  x = 2;\n}\n";
@@ -133,4 +137,78 @@ test("breakpoints go to statements of what is loaded, and wait for what is edite
   expect(session.breakpoints.value).toEqual([3]);
   await ready();
   expect(session.breakpoints.value).toEqual([5]);
+});
+
+// --- Records of hosts ----------------------------------------------------------------------------
+
+/** A host that opens a card twice and lets an axis jog; no card has its state at the end. */
+const jogging = [
+  { oncard: "host calls", format: 1 },
+  ...[1, 2].flatMap(() => [
+    { open: 0, bare: true, scenario: 'program = ""\ncard = "GE-400-PG"\naxes = 4\n' },
+    ...[
+      { call: "GT_AxisOn", in: [1] },
+      { call: "GT_PrflV", in: [1] },
+      { call: "GT_SetVel", in: [1, 10] },
+      { call: "GT_SetAcc", in: [1, 1] },
+      { call: "GT_Update", in: [1] },
+    ].map((call, index) => ({ card: 0, us: 50 * (index + 1), ...call, code: 0 })),
+    { close: 0, us: 20_000, hash: "0000000000000000" },
+  ]),
+]
+  .map((line) => `${JSON.stringify(line)}\n`)
+  .join("");
+
+const host = () => present.state.value?.host;
+
+test("a record is on the card instead of the program, call by call", async () => {
+  await openRecord("jog.calls", jogging);
+  expect(record.value).toMatchObject({ name: "jog.calls", chosen: 0, axes: 4 });
+  expect([notice(), isEdited.value, globals()]).toEqual(["ready", false, []]);
+  await bench.stepStatement();
+  expect(host()).toMatchObject({ made: 1, last: "GT_AxisOn(1) = 0", next: "GT_PrflV(1)" });
+  await bench.stepStatement();
+  await bench.stepBack();
+  expect(host()).toMatchObject({ made: 1 });
+  // What is done to the editor does not touch the card.
+  write(finished);
+  expect(await ready()).toBe(true);
+  expect(host()).toMatchObject({ made: 1 });
+});
+
+test("a record with another end than that of the card says so", async () => {
+  await openRecord("jog.calls", jogging);
+  await bench.run();
+  expect(session.notice.value).toMatchObject({ kind: "stopped", stop: { reason: "deviation" } });
+});
+
+test("each opening of a card can be chosen", async () => {
+  await openRecord("jog.calls", jogging);
+  expect(record.value?.cards.map(({ opening }) => opening)).toEqual([1, 2]);
+  await bench.stepStatement();
+  await chooseOpening(1);
+  expect([record.value?.chosen, host()?.made]).toEqual([1, 0]);
+});
+
+test("what is no record leaves the card as it is", async () => {
+  await bench.stepStatement();
+  const before = moment();
+  await openRecord("text.calls", "this is no record");
+  expect([notice(), record.value, globals(), moment()]).toEqual([
+    "not-loaded",
+    undefined,
+    ["x"],
+    before,
+  ]);
+});
+
+test("the program comes back when the record is closed, and when another one is opened", async () => {
+  await openRecord("jog.calls", jogging);
+  await closeRecord();
+  expect([record.value, isEdited.value, globals()]).toEqual([undefined, false, ["x"]]);
+  await openRecord("jog.calls", jogging);
+  open(finished);
+  await vi.waitFor(() => {
+    expect([record.value, isEdited.value, globals()]).toEqual([undefined, false, ["y"]]);
+  });
 });

@@ -3,6 +3,7 @@
 import { checkTask, explore } from "../lesson/checks.js";
 import { bench, session } from "../session/bench.js";
 import { ready, toggleBreakpoint } from "../session/on_card.js";
+import { record } from "../session/record.js";
 import { layout } from "../store/layout.js";
 import { changeSpeed } from "../store/settings.js";
 
@@ -26,7 +27,9 @@ export const actions = {
   faster: () => {
     changeSpeed(1);
   },
-  explore: () => void explore(),
+  explore: () => {
+    if (!record.peek()) void explore();
+  },
   check: () => void checkTask(),
   breakpoint: () => {
     const line = layout.chosenLine.peek();

@@ -23,6 +23,7 @@ function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
       const over = present.state.value?.over;
       if (failed.length > 0) return [t.failed(failed.join("; ")), "bad"];
       if (over === "deadlock") return [t.deadlock, "bad"];
+      if (over === "host-end") return [t.hostEnd, "good"];
       return [over === "time-limit" ? t.finishedLimit : t.finished, "good"];
     }
     case "fault":
@@ -33,6 +34,8 @@ function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
       return [t.requirement(text), "bad"];
     case "line":
       return [t.breakpoint(thread, lineOf(thread)), ""];
+    case "deviation":
+      return [t.deviation(text), "bad"];
     case "schedule-end":
       return [t.scheduleEnd, ""];
     case "start":
@@ -49,6 +52,8 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
   switch (notice.kind) {
     case "starting":
       return [t.starting, ""];
+    case "fetching":
+      return [t.fetching, ""];
     case "ready":
       return [t.ready, ""];
     case "running":
@@ -64,6 +69,8 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
       return [t.engineEnded(notice.message), "bad"];
     case "no-engine":
       return [t.noEngine(notice.message), "bad"];
+    case "no-records":
+      return [t.noRecords(notice.message), "bad"];
   }
 }
 

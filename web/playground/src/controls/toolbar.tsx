@@ -1,10 +1,11 @@
 // The bar at the top: run control, speed, explore, share, language and colours.
 
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
 import { session } from "../session/bench.js";
+import { openRecord, record } from "../session/record.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
 import {
@@ -92,7 +93,7 @@ export function Toolbar() {
         <button
           type="button"
           class="tool explore"
-          disabled={verdict.value.kind === "busy"}
+          disabled={verdict.value.kind === "busy" || record.value !== undefined}
           title={`${t.explore} (${keyText("explore")})`}
           aria-keyshortcuts={ariaKeys("explore")}
           onClick={actions.explore}
@@ -105,6 +106,7 @@ export function Toolbar() {
         </button>
       </div>
       <div class="row end grow">
+        <RecordButton />
         <button
           type="button"
           class="quiet"
@@ -157,6 +159,37 @@ export function Toolbar() {
       {shown === "teach" && <LessonDialog onClose={close} />}
       {shown === "share" && <ShareDialog onClose={close} />}
     </header>
+  );
+}
+
+/** Opens a record that `oncard exec --record` has written. */
+function RecordButton() {
+  const { controls: t } = texts.value;
+  const input = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <button
+        type="button"
+        class="quiet"
+        title={t.openRecord}
+        aria-label={t.openRecord}
+        onClick={() => input.current?.click()}
+      >
+        {t.open}
+      </button>
+      <input
+        ref={input}
+        type="file"
+        accept=".calls"
+        hidden
+        aria-label={t.openRecord}
+        onChange={({ currentTarget }) => {
+          const file = currentTarget.files?.[0];
+          if (file) void file.text().then((text) => openRecord(file.name, text));
+          currentTarget.value = ""; // the same file may be chosen again
+        }}
+      />
+    </>
   );
 }
 

@@ -7,6 +7,7 @@ import { computed } from "@preact/signals";
 
 import { bench } from "../session/bench.js";
 import { startModule } from "../session/engines.js";
+import { forgetRecord } from "../session/record.js";
 import { markSolved } from "../store/lessons.js";
 import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
@@ -75,6 +76,7 @@ export async function explore(isCheck = false): Promise<void> {
     return { kind: "explored", exploration, isCheck };
   });
   if (found.kind === "explored" && found.exploration.schedule !== undefined) {
+    forgetRecord();
     await bench.loadRecording(explored, found.exploration.schedule);
   }
 }

@@ -4,6 +4,7 @@ import type { Card } from "@oncard/engine";
 import { computed, effect, signal } from "@preact/signals";
 
 import { present } from "../session/bench.js";
+import { record } from "../session/record.js";
 import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
 import { type AxisView, axesNamed, axesOf, grown, isUsed, type Reach } from "./axes.js";
@@ -32,7 +33,7 @@ effect(() => {
 
 /** The axes that are shown: those that are used or that the lesson speaks of; otherwise the first. */
 const shown = computed(() => {
-  const named = axesNamed(source.lesson.value.scope ?? []);
+  const named = record.value ? [] : axesNamed(source.lesson.value.scope ?? []);
   const numbers = new Set([...used.value, ...named]);
   return numbers.size > 0 ? numbers : new Set([1]);
 });

@@ -4,6 +4,7 @@ import type { Engine } from "@oncard/engine";
 import { effect } from "@preact/signals";
 
 import { bench, present, session } from "../session/bench.js";
+import { record } from "../session/record.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
 import type { Setting } from "./channels.js";
@@ -50,9 +51,18 @@ export { scope };
 /** At most this many parts are searched for a trigger. */
 const searchParts = 20_000;
 
-/** A lesson brings its own channels. */
+/** Of a record, the velocities of so many axes are shown. */
+const axesOfRecord = 4;
+
+/** A lesson brings its own channels, a record those of its axes. */
 effect(() => {
-  const names = source.lesson.value.scope ?? [];
+  const { value: opened } = record;
+  const names = opened
+    ? Array.from(
+        { length: Math.min(opened.axes, axesOfRecord) },
+        (_, index) => `axis${index + 1}.prfVel`,
+      )
+    : (source.lesson.value.scope ?? []);
   change({
     channels: names.map((name) => ({ name, offset: 0 })),
     source: names[0] ?? "",

@@ -6,6 +6,8 @@ import type {
   Compiled,
   ListedFunction,
   Engine,
+  Loaded,
+  LoadOptions,
   Project,
   State,
   Stop,
@@ -17,11 +19,12 @@ import { batch } from "@preact/signals";
 
 import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
-import { startEngine } from "./engines.js";
+import { fetchForRecords, type Purpose, startEngine } from "./engines.js";
 
 /** What the status line says. */
 export type Notice =
   | { kind: "starting" }
+  | { kind: "fetching" }
   | { kind: "ready" }
   | { kind: "running" }
   | { kind: "stopped"; stop: Stop }
@@ -29,7 +32,8 @@ export type Notice =
   | { kind: "not-loaded"; message: string }
   | { kind: "refused"; message: string }
   | { kind: "engine-ended"; message: string }
-  | { kind: "no-engine"; message: string };
+  | { kind: "no-engine"; message: string }
+  | { kind: "no-records"; message: string };
 
 /** How many steps a step of the reader may take until a thread executes a statement. */
 const stepsToStatement = 20_000;
@@ -79,12 +83,17 @@ interface Loading {
   loaded?: Project;
   /** What stays on the card if the project does not compile. */
   before?: Project | undefined;
+  /** Which part of a record. */
+  options?: LoadOptions | undefined;
   /** What comes before any walk, even one that was asked for meanwhile. */
   prepare?: (engine: Engine) => Promise<void>;
 }
 
+type Success = Extract<Loaded, { compiled: true }>;
+
 class Bench {
   #engine: Promise<Engine> | undefined;
+  #purpose: Purpose = "programs";
   #work: Promise<unknown> = Promise.resolve();
   /** The run that goes on until it is paused; whatever is done next ends it. */
   #run: AbortController | undefined;
@@ -101,7 +110,7 @@ class Bench {
 
   async #start(): Promise<Engine> {
     try {
-      const engine = await startEngine();
+      const engine = await startEngine(this.#purpose);
       engine.onEnded = ({ message }) => {
         this.#engine = undefined;
         this.pause();
@@ -117,6 +126,25 @@ class Bench {
       }
       throw error;
     }
+  }
+
+  /**
+   * From now on the engine reads records. True if it is another one than before, with nothing on
+   * the card.
+   * @throws its module cannot be fetched; the engine is the one before
+   */
+  async #learnRecords(): Promise<boolean> {
+    if (this.#purpose === "records") return false;
+    const { value: before } = session.notice;
+    changeSession({ notice: { kind: "fetching" } });
+    const isOther = await fetchForRecords();
+    changeSession({ notice: before });
+    this.#purpose = "records";
+    if (!isOther) return false;
+    const old = this.#engine;
+    this.#engine = undefined;
+    (await old)?.close();
+    return true;
   }
 
   #clear(notice: Notice): void {
@@ -145,27 +173,54 @@ class Bench {
    * Loads another project with the breakpoints; the card is then before its first step. True if it
    * compiles; otherwise nothing is on the card.
    */
-  load(project: Project): Promise<boolean> {
-    return this.#load({ project, prepare: (engine) => this.#setStops(engine) });
+  async load(project: Project): Promise<boolean> {
+    const prepare = (engine: Engine) => this.#setStops(engine);
+    return (await this.#load({ project, prepare })) !== undefined;
   }
 
   /** The same after an edit; if that does not compile, what was there before stays on the card. */
-  loadEdited(project: Project): Promise<boolean> {
+  async loadEdited(project: Project): Promise<boolean> {
     const before = present.state.peek() && session.project.peek();
-    return this.#load({ project, before, prepare: (engine) => this.#setStops(engine) });
+    const prepare = (engine: Engine) => this.#setStops(engine);
+    return (await this.#load({ project, before, prepare })) !== undefined;
   }
 
-  async #load({ project, loaded = project, before, prepare }: Loading): Promise<boolean> {
+  /**
+   * Loads the record of a host; the card is then before its first call. Nothing if that is not
+   * possible, and then what was there before stays on the card.
+   */
+  async loadRecord(project: Project, options: LoadOptions): Promise<Success | undefined> {
+    this.pause();
+    const before = present.state.peek() && session.project.peek();
+    let isOther: boolean;
+    try {
+      isOther = await this.#learnRecords();
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      changeSession({ notice: { kind: "no-records", message } });
+      return undefined;
+    }
+    const success = await this.#load({ project, before: isOther ? undefined : before, options });
+    if (!success && isOther && before) {
+      const { value: notice } = session.notice;
+      await this.load(before);
+      changeSession({ notice });
+    }
+    return success;
+  }
+
+  /** What the engine answers; nothing if the project is not on the card. */
+  async #load(loading: Loading): Promise<Success | undefined> {
+    const { project, loaded = project, before, options, prepare } = loading;
     changeSession({ project });
     const refuse = (notice: Notice) => {
       if (before) changeSession({ notice, project: before });
       else this.#clear(notice);
     };
-    let compiled = false;
+    let success: Success | undefined;
     await this.#then(async (engine) => {
       try {
-        const answer = await engine.load(loaded);
-        compiled = answer.compiled;
+        const answer = await engine.load(loaded, options);
         if (!answer.compiled) {
           refuse({ kind: "not-compiled" });
           return;
@@ -175,12 +230,13 @@ class Bench {
         await prepare?.(engine);
         this.#changeHistory();
         await this.#show(answer.state, { kind: "ready" });
+        success = answer;
       } catch (error) {
         if (!(error instanceof RefusedError)) throw error;
         refuse({ kind: "not-loaded", message: error.message });
       }
     });
-    return compiled;
+    return success;
   }
 
   /** Loads a recording of this project and goes to its end, past all breakpoints. */
@@ -278,12 +334,12 @@ class Bench {
   }
   #overSince: number | undefined;
 
-  /** One statement, whichever thread is next; a cycle if no thread runs. */
+  /** One statement, whichever thread is next; if no thread runs, a call of the host or a cycle. */
   stepStatement(): Promise<void> {
     return this.#walking(async (engine, signal) => {
       let { state } = { state: await engine.state() };
       if (!state.threads.some((thread) => thread.state === "running")) {
-        return this.#arrived(await engine.forward({ goal: "cycle" }));
+        return this.#arrived(await engine.forward({ goal: state.host ? "call" : "cycle" }));
       }
       for (let steps = 0; steps < stepsToStatement && !signal.aborted; ++steps) {
         const isStatement = state.next === "statement";
@@ -295,13 +351,14 @@ class Bench {
     });
   }
 
-  /** To before the last statement, or cycle if none was executed in it. */
+  /** To before the last statement, or the last call or cycle if none was executed. */
   stepBack(): Promise<void> {
     return this.#walking(async (engine, signal) => {
-      const { threads } = await engine.state();
+      const { host, threads } = await engine.state();
       const statements = threads.some((thread) => thread.statements > 0);
+      const whole = host ? "call" : "cycle";
       for (let steps = 0; steps < stepsToStatement && !signal.aborted; ++steps) {
-        const result = await engine.back({ goal: statements ? "step" : "cycle" });
+        const result = await engine.back({ goal: statements ? "step" : whole });
         const there = !statements || result.state.next === "statement";
         if (there || result.stop.reason !== "goal") return this.#arrived(result);
       }

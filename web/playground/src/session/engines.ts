@@ -1,42 +1,69 @@
-// Engines of this page. The module is fetched and compiled once, and each engine that it makes has
-// a worker; if the page comes from `oncard serve`, its sessions are there instead.
+// Engines of this page. A module is fetched and compiled once, and each engine that it makes has a
+// worker; if the page comes from `oncard serve`, its sessions are there instead.
 
 import { Engine, HttpTransport, WorkerTransport } from "@oncard/engine";
 
 import { hasEngineHere } from "../share/address.js";
 
-let module: Promise<WebAssembly.Module> | undefined;
+/**
+ * What an engine is for. Programs are what everybody begins with; the module for them is smaller.
+ * That for records knows all families of cards, and programs, too.
+ */
+export type Purpose = "programs" | "records";
 
-async function fetchModule(): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL("oncard.wasm", document.baseURI));
-  if (!response.ok) throw new Error(`oncard.wasm: ${response.status} ${response.statusText}`);
+const files: Record<Purpose, string> = {
+  programs: "oncard.wasm",
+  records: "oncard-records.wasm",
+};
+
+const modules = new Map<Purpose, Promise<WebAssembly.Module>>();
+
+async function fetchModule(file: string): Promise<WebAssembly.Module> {
+  const response = await fetch(new URL(file, document.baseURI));
+  if (!response.ok) throw new Error(`${file}: ${response.status} ${response.statusText}`);
   // Not compileStreaming: that refuses a server that does not know the type of the file.
   return WebAssembly.compile(await response.arrayBuffer());
+}
+
+async function compiledModule(purpose: Purpose): Promise<WebAssembly.Module> {
+  const module = modules.get(purpose) ?? fetchModule(files[purpose]);
+  modules.set(purpose, module);
+  try {
+    return await module;
+  } catch (error) {
+    modules.delete(purpose); // the next attempt fetches it again
+    throw error;
+  }
 }
 
 /**
  * A new engine in a worker of its own. Whatever it computes, closing it ends that at once.
  * @throws the module cannot be fetched or compiled
  */
-export async function startModule(): Promise<Engine> {
-  module ??= fetchModule();
-  try {
-    const compiled = await module;
-    const worker = new Worker(new URL("worker.js", document.baseURI));
-    return new Engine(new WorkerTransport(worker, compiled));
-  } catch (error) {
-    module = undefined; // the next attempt fetches it again
-    throw error;
-  }
+export async function startModule(purpose: Purpose = "programs"): Promise<Engine> {
+  const compiled = await compiledModule(purpose);
+  const worker = new Worker(new URL("worker.js", document.baseURI));
+  return new Engine(new WorkerTransport(worker, compiled));
+}
+
+/**
+ * Fetches what an engine for records needs beside one for programs. False if it needs nothing,
+ * because they are the same.
+ * @throws the module cannot be fetched or compiled
+ */
+export async function fetchForRecords(): Promise<boolean> {
+  if (hasEngineHere(location.href)) return false;
+  await compiledModule("records");
+  return true;
 }
 
 /**
  * A new engine for the session of the page: that of `oncard serve` if the page comes from there,
- * otherwise the module.
+ * otherwise a module.
  * @throws the module cannot be fetched or compiled
  */
-export async function startEngine(): Promise<Engine> {
-  if (!hasEngineHere(location.href)) return startModule();
+export async function startEngine(purpose: Purpose): Promise<Engine> {
+  if (!hasEngineHere(location.href)) return startModule(purpose);
   const engine = new Engine(new HttpTransport(document.baseURI));
   addEventListener("pagehide", ({ persisted }) => {
     // A page that is kept may be shown again.

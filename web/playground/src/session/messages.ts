@@ -8,6 +8,7 @@ import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
 import { bench, present, session } from "./bench.js";
 import { isEdited } from "./on_card.js";
+import { forgetRecord, record } from "./record.js";
 
 interface Messages {
   diagnostics: Diagnostic[];
@@ -39,7 +40,7 @@ async function checkNow(isOpening = false): Promise<void> {
     change({ diagnostics, complaint: "" });
     if (present.state.peek() && !isEdited.peek()) return;
     if (isOpening) await bench.load(checked);
-    else if (compiled && isWanted()) await bench.loadEdited(checked);
+    else if (!record.peek() && compiled && isWanted()) await bench.loadEdited(checked);
   } catch (error) {
     if (checked !== source.project.peek()) return;
     const complaint = error instanceof Error ? error.message : String(error);
@@ -59,6 +60,7 @@ export function followSource(): void {
     untracked(() => {
       clearTimeout(timer);
       if (isOpening) {
+        forgetRecord();
         bench.wishStops([]);
         void checkNow(true);
       } else {

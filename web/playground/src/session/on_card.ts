@@ -5,18 +5,23 @@ import { computed } from "@preact/signals";
 
 import { source } from "../store/source.js";
 import { bench, present, session } from "./bench.js";
+import { record, reopenRecord } from "./record.js";
 
 /** The texts are others than those that were put onto the card. */
-export const isEdited = computed(() => session.project.value !== source.project.value);
+export const isEdited = computed(
+  () => !record.value && session.project.value !== source.project.value,
+);
 
 /** What is edited is loaded before anything runs. */
 export async function ready(): Promise<boolean> {
   if (!isEdited.peek() && present.state.peek()) return true;
+  if (record.peek()) return reopenRecord();
   return bench.loadEdited(source.project.peek());
 }
 
 /** Sets a breakpoint at a line of the program, or removes it. */
 export function toggleBreakpoint(line: number): void {
+  if (record.peek()) return; // its lines are not shown
   const before = session.breakpoints.peek();
   const next = before.includes(line)
     ? before.filter((each) => each !== line)

@@ -33,6 +33,8 @@ export const en = {
     explore: "Explore",
     exploring: "Exploring: every interleaving of the threads is tried.",
     stop: "Stop",
+    open: "Open…",
+    openRecord: "Open the record of a host",
     share: "Share",
     teach: "Make a lesson",
     keys: "Keys",
@@ -57,6 +59,7 @@ export const en = {
 
   status: {
     starting: "The card is being started.",
+    fetching: "What records of hosts need is being loaded: all families of cards.",
     ready: "Card ready.",
     at: (ms: string, moment: number, head: number) => `${ms} ms, moment ${moment} of ${head}`,
     running: "Card running.",
@@ -69,6 +72,8 @@ export const en = {
     requirement: (text: string) => `Requirement: ${text}`,
     breakpoint: (thread: number, line: number) =>
       `Breakpoint: thread ${thread} is before line ${line}.`,
+    hostEnd: "The host's calls are over; all were answered as recorded.",
+    deviation: (text: string) => `Other than recorded: ${text}`,
     scheduleEnd: "The recording is over.",
     start: "At the start.",
     budget: "Paused.",
@@ -82,6 +87,8 @@ export const en = {
       `The simulated card has failed (${why}). The texts are kept; Run starts it again.`,
     noEngine: (why: string) =>
       `The simulated card cannot be started (${why}). The texts are kept; reload the page to try again.`,
+    noRecords: (why: string) =>
+      `Records of hosts cannot be opened (${why}). What was on the card is still there; try again later.`,
     notKept: "This browser keeps nothing: share a link, or the text is lost when the page closes.",
   },
 
@@ -107,6 +114,21 @@ export const en = {
     structured: "structured C",
     breakpoints: "Breakpoints",
     removeBreakpoint: (line: number) => `Remove the breakpoint at line ${line}`,
+  },
+
+  record: {
+    title: "Record of a host",
+    close: "Back to the program",
+    openings: "Openings of cards",
+    opening: (card: number, opening: number, calls: number) =>
+      `Card ${card}, opening ${opening}: ${calls} calls`,
+    made: (made: number, calls: number) => `${made} of ${calls} calls made`,
+    last: "Last call",
+    next: "Next call",
+    at: (ms: string) => `at ${ms} ms`,
+    none: "none",
+    help: "The host makes these calls again, at the same times. Step makes the next one.",
+    sources: "Motion programs of the host",
   },
 
   machine: {

@@ -35,6 +35,8 @@ export const zh: Texts = {
     explore: "探索",
     exploring: "正在探索：尝试线程的所有交错。",
     stop: "停止",
+    open: "打开…",
+    openRecord: "打开主机记录",
     share: "分享",
     teach: "编写课程",
     keys: "按键",
@@ -59,6 +61,7 @@ export const zh: Texts = {
 
   status: {
     starting: "正在启动控制卡。",
+    fetching: "正在载入主机记录所需的内容：所有系列的控制卡。",
     ready: "控制卡就绪。",
     at: (ms, moment, head) => `${ms} ms，第 ${moment} 时刻，共 ${head}`,
     running: "控制卡正在运行。",
@@ -70,6 +73,8 @@ export const zh: Texts = {
     refusal: (thread, text) => `线程 ${thread} 的指令被拒绝：${text}`,
     requirement: (text) => `要求：${text}`,
     breakpoint: (thread, line) => `断点：线程 ${thread} 停在第 ${line} 行之前。`,
+    hostEnd: "主机调用已结束，应答均与记录一致。",
+    deviation: (text) => `与记录不符：${text}`,
     scheduleEnd: "录制已放完。",
     start: "已在开始处。",
     budget: "已暂停。",
@@ -81,6 +86,7 @@ export const zh: Texts = {
     warnings: (count) => `${count} 条警告`,
     engineEnded: (why) => `模拟的控制卡出了故障（${why}）。文本已保留；点“运行”会重新启动它。`,
     noEngine: (why) => `无法启动模拟的控制卡（${why}）。文本已保留；请重新载入页面再试。`,
+    noRecords: (why) => `无法打开主机记录（${why}）。卡上仍是之前的内容；请稍后再试。`,
     notKept: "此浏览器不保存任何内容：请分享链接，否则关闭页面后文本会丢失。",
   },
 
@@ -106,6 +112,20 @@ export const zh: Texts = {
     structured: "结构化 C",
     breakpoints: "断点",
     removeBreakpoint: (line) => `取消第 ${line} 行的断点`,
+  },
+
+  record: {
+    title: "主机记录",
+    close: "返回程序",
+    openings: "控制卡的打开",
+    opening: (card, opening, calls) => `卡 ${card}，第 ${opening} 次打开：${calls} 次调用`,
+    made: (made, calls) => `已执行 ${made} 次调用，共 ${calls} 次`,
+    last: "上一调用",
+    next: "下一调用",
+    at: (ms) => `在 ${ms} ms`,
+    none: "无",
+    help: "主机在相同的时刻再次执行这些调用。单步执行下一次调用。",
+    sources: "主机的运动程序",
   },
 
   machine: {
