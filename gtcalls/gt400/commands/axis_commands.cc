@@ -20,8 +20,10 @@ constexpr int kPulseMode = 1;
 constexpr int16_t kPulseAndDirection = 0;
 constexpr int16_t kForwardAndBackward = 1;
 
-/// Assumption: how long the CLEAR output is on. The core takes a sample time for a millisecond.
-constexpr int64_t kClearPulseUs = 100 * 1000;
+/// Assumption: how long the CLEAR output is on, sample times.
+constexpr int64_t kClearPulse = 100;
+/// The motion core takes a sample time for a millisecond.
+constexpr int64_t kUsPerCycle = 1000;
 
 motion::AxisHandle HandleOf(const Call& call) { return call.card.motion.AxisAt(CurrentAxis(call)); }
 
@@ -64,7 +66,7 @@ int16_t GT_DrvRst(Call& call) {
                                  "轴 {0} 的驱动器已使能，请先调用 GT_AxisOff", axis + 1));
   }
   call.card.motion.digital_io().WriteForAWhile(DoType::kClear, static_cast<int>(axis), true,
-                                               kClearPulseUs);
+                                               kClearPulse * kUsPerCycle);
   return vm::kOk;
 }
 
