@@ -21,6 +21,9 @@ uint32_t LatchedBy(const motion::MotionCore& core, size_t axis) {
   return core.part<&motion::MotionState::axes, &motion::Axis::latched>(axis);
 }
 
+/// The events that this family keeps itself.
+constexpr uint32_t kOwnEvents = 0xFF & ~uint32_t{kCapturedBit};
+
 /// The conditions without whose events the motion core need not know them.
 uint32_t ConditionsWithout(uint32_t events) {
   uint32_t conditions = 0;
@@ -48,7 +51,7 @@ uint8_t EventsOf(const CardView& card, size_t axis) {
 
 void ClearEvents(Card& card, size_t axis, uint32_t kept) {
   Gt400Axis& state = card.state<Gt400State>().axes[axis];
-  state.events = static_cast<uint8_t>(EventsOf(card.view(), axis) & kept & ~kCapturedBit);
+  state.events = static_cast<uint8_t>(EventsOf(card.view(), axis) & kept & kOwnEvents);
   if (LatchedBy(card.motion, axis) != 0) {
     card.motion.AxisAt(axis).ClearConditions(ConditionsWithout(state.events));
   }
@@ -60,7 +63,7 @@ void NoticeEvents(Card& card) {
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
     Gt400Axis& state = card.state<Gt400State>().axes[axis];
     if ((LatchedBy(card.motion, axis) | state.noticed) != 0) {
-      state.events = static_cast<uint8_t>(EventsOf(card.view(), axis) & ~kCapturedBit);
+      state.events = static_cast<uint8_t>(EventsOf(card.view(), axis) & kOwnEvents);
       // A limit that the host has cleared is one only as long as its switch is active.
       card.motion.AxisAt(axis).ClearConditions(ConditionsWithout(state.events));
       state.noticed = LatchedBy(card.motion, axis);
