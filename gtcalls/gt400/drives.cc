@@ -24,6 +24,15 @@ bool IsAnalogue(const Card& card, size_t axis) {
   return HasVoltages(card) && !StateOf(card, axis).pulses;
 }
 
+bool IsInOpenLoop(const Card& card, size_t axis) {
+  return IsAnalogue(card, axis) && StateOf(card, axis).open_loop;
+}
+
+bool CanPlan(const Card& card, size_t axis) {
+  return card.motion.axis(axis).servo_on && !IsInOpenLoop(card, axis) &&
+         card.motion.profile(axis).mode != motion::ProfileMode::kCrd;
+}
+
 void ConnectDrive(Card& card, size_t axis) {
   const bool analogue = IsAnalogue(card, axis);
   const bool open = StateOf(card, axis).open_loop;

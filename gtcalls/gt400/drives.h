@@ -13,6 +13,10 @@ namespace oncard::gtcalls::gt400 {
 bool HasVoltages(const Card& card);
 /// True if the axis is controlled by a voltage now.
 bool IsAnalogue(const Card& card, size_t axis);
+/// True if GT_SetMtrCmd sets that voltage, and no plan does.
+bool IsInOpenLoop(const Card& card, size_t axis);
+/// True if a plan would reach the drive of the axis, and its mode does not leave it to a path.
+bool CanPlan(const Card& card, size_t axis);
 /// Connects the drive of the axis as GT_CtrlMode and GT_OpenLp say.
 void ConnectDrive(Card& card, size_t axis);
 /// Gives the analogue output of the axis its valid bias and limit or, in open loop, what it puts

@@ -72,13 +72,17 @@ void NoticeEvents(Card& card) {
   }
 }
 
-bool Moves(const CardView& card, size_t axis) { return card.motion.profile(axis).now.moving; }
+bool Moves(const CardView& card, size_t axis) {
+  const motion::Profile& profile = card.motion.profile(axis);
+  return profile.now.moving && !profile.gear.direct.held;
+}
 
 void NoticeMotion(Card& card, size_t axis) {
   Gt400Axis& state = card.state<Gt400State>().axes[axis];
-  const bool moves = Moves(card.view(), axis);
-  if (state.moved && !moves) state.events |= kCompleteBit;
-  state.moved = moves;
+  const motion::Profile& profile = card.motion.profile(axis);
+  const bool ended = state.moved && !profile.now.moving;
+  state.moved = profile.now.moving;
+  if (ended && profile.mode != motion::ProfileMode::kGear) state.events |= kCompleteBit;
 }
 
 }  // namespace oncard::gtcalls::gt400

@@ -18,9 +18,10 @@ void ClearEvents(Card& card, size_t axis, uint32_t kept);
 /// Notices what happened in a tick.
 void NoticeEvents(Card& card);
 
-/// True if the axis moves, as bit 10 says it.
+/// True if the axis moves, as bit 10 says it: a slave that a limit holds does not.
 bool Moves(const CardView& card, size_t axis);
-/// To be called when a motion may have begun or ended: the end is an event.
+/// To be called when a motion may have begun or ended: the end is an event, but not of a gear
+/// slave.
 void NoticeMotion(Card& card, size_t axis);
 
 }  // namespace oncard::gtcalls::gt400

@@ -45,7 +45,8 @@ constexpr motion::CardDefaults kAnalogue = {.smooth_stop = 1,
                                             .closed_loop = true,
                                             .following_error_limit = kServoMax,
                                             .following_error_stops = false,
-                                            .enabling_aligns = false};
+                                            .enabling_aligns = false,
+                                            .slaves_last = true};
 /// With pulses only: no motor is in closed loop, whose position error counts.
 constexpr motion::CardDefaults kPulses = [] {
   motion::CardDefaults defaults = kAnalogue;

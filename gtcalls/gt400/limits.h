@@ -9,6 +9,9 @@ namespace oncard::gtcalls::gt400 {
 
 /// Axes are numbered from 1. All cards have as many.
 inline constexpr int kAxisMax = 4;
+/// Masters of gears: the axes, then the auxiliary encoders.
+inline constexpr int kAuxiliaryMax = 2;
+inline constexpr int kMasterMax = kAxisMax + kAuxiliaryMax;
 inline constexpr int32_t kPositionMin = -1073741824;
 inline constexpr int32_t kPositionMax = 1073741823;
 /// Of velocities, of accelerations in modes T and V and of gear ratios; below 0 the same.

@@ -5,6 +5,7 @@
 
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/gears.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -95,14 +96,6 @@ void SynchPosition(Card& card, size_t axis) {
             static_cast<int32_t>(std::clamp<double>(actual, kPositionMin, kPositionMax)));
 }
 
-/// True if a plan would reach the drive of the axis, which the mode does not leave to a path.
-bool CanPlan(const Card& card, size_t axis) {
-  const Gt400Axis& state = card.state<Gt400State>().axes[axis];
-  const bool open = IsAnalogue(card, axis) && state.open_loop;
-  return card.motion.axis(axis).servo_on && !open &&
-         card.motion.profile(axis).mode != ProfileMode::kCrd;
-}
-
 void Apply(Card& card, size_t axis, const TakenUpdate& update) {
   Gt400Axis& state = card.state<Gt400State>().axes[axis];
   state.valid = update.registers;
@@ -114,6 +107,8 @@ void Apply(Card& card, size_t axis, const TakenUpdate& update) {
   const bool rested = !Moves(card.view(), axis);
   if (stops) {
     StopSmoothly(card, axis);
+  } else if (card.motion.profile(axis).mode == ProfileMode::kGear) {
+    if ((update.request.written & BitOf(Register::kRatio)) != 0) Engage(card, axis);
   } else {
     StartMotion(card, axis);
   }

@@ -3,6 +3,7 @@
 // update_command_test.cc.
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/gears.h"
 #include "gtcalls/gt400/registers.h"
 
 namespace oncard::gtcalls::gt400 {
@@ -29,6 +30,18 @@ int16_t ChooseMode(Call& call, ProfileMode mode) {
 int16_t GT_PrflT(Call& call) { return ChooseMode(call, ProfileMode::kTrap); }
 int16_t GT_PrflS(Call& call) { return ChooseMode(call, ProfileMode::kSCurve); }
 int16_t GT_PrflV(Call& call) { return ChooseMode(call, ProfileMode::kJog); }
+
+int16_t GT_PrflG(Call& call) {
+  const size_t axis = CurrentAxis(call);
+  const int master = call.integer(0);
+  if (master == static_cast<int>(axis) + 1) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("axis {0} cannot be its own master",
+                                                      "轴 {0} 不能以自身为主轴", master));
+  }
+  const int16_t code = ChooseMode(call, ProfileMode::kGear);
+  if (code == vm::kOk) ChooseMaster(call.card, axis, master);
+  return code;
+}
 
 // --- Updates ---------------------------------------------------------------------------------
 

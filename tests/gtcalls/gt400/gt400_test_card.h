@@ -19,6 +19,19 @@
 
 namespace oncard::gtcalls::gt400 {
 
+/// Bits of the status word.
+enum StatusBitNumber {
+  kBitComplete = 0,
+  kBitBreakpoint = 2,
+  kBitCaptured = 3,
+  kBitMotionError = 4,
+  kBitPositiveLimit = 5,
+  kBitRefused = 7,
+  kBitMoves = 10,
+  kBitHomeArmed = 14,
+  kBitIndexArmed = 15,
+};
+
 class Gt400TestCard {
  public:
   /// One of the types in card_types.def.
