@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gtcalls/card.h"
-#include "gtcalls/gt400/status_word.h"
+#include "gtcalls/gt400/events.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -29,7 +29,7 @@ int16_t WriteCommandRegister(Call& call, int16_t code) {
   if (IsPathCommand(call.command)) {
     state.path_refused = refused;
   } else if (refused) {
-    state.axes[state.current].events |= kRefusedBit;
+    SetEvents(call.card, state.current, kRefusedBit);
   }
   return code;
 }

@@ -1,15 +1,16 @@
 #include "gtcalls/gt400/cycle.h"
 
-#include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/paths.h"
 #include "gtcalls/gt400/registers.h"
+#include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {
 
 // The order is part of what a program can see. The plans that begin here begin at this instant.
 void AfterTick(Card& card) {
+  NoticeStops(card);
   AdvancePath(card);
-  NoticeEvents(card);
+  NoticeEnds(card);
   ApplyTakenUpdates(card);
 }
 

@@ -8,6 +8,7 @@
 #include "gtcalls/gt400/command_register.h"
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/cycle.h"
+#include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/limits.h"
 #include "gtcalls/gt400/rows.h"
 #include "gtcalls/gt400/status_word.h"
@@ -98,7 +99,11 @@ const Family& Gt400Family() {
                   .following_error_limit = "GT_SetPosErr",
                   .append_segment = "GT_LnXY",
                   .start_path = "GT_StrtMtn"},
-      .finish = WriteCommandRegister,
+      .finish =
+          [](Call& call, int16_t code) {
+            NoticeCommand(call.card);
+            return WriteCommandRegister(call, code);
+          },
       .card_types = gt400::kCardTypes,
       .default_card = gt400::kCardTypes[0],
       .cycle_ns = static_cast<int64_t>(kSampleTime * kNsPerUs),

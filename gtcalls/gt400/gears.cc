@@ -52,4 +52,16 @@ std::optional<size_t> MasterAxis(const CardView& card, size_t slave) {
   return index < kAxisMax ? std::optional(index) : std::nullopt;
 }
 
+void StopMaster(Card& card, size_t slave) {
+  std::optional<size_t> master = MasterAxis(card.view(), slave);
+  // Gears can form a ring, which nothing leads.
+  for (int links = 0; links < kAxisMax && master; ++links) {
+    if (!IsEngaged(card.view(), *master)) {
+      if (!IsInOpenLoop(card, *master)) card.motion.ProfileAt(*master).Stop(true);
+      return;
+    }
+    master = MasterAxis(card.view(), *master);
+  }
+}
+
 }  // namespace oncard::gtcalls::gt400

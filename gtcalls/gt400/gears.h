@@ -17,5 +17,7 @@ void Engage(Card& card, size_t axis);
 bool IsEngaged(const CardView& card, size_t axis);
 /// The axis that a slave follows; nothing if that is an auxiliary encoder.
 std::optional<size_t> MasterAxis(const CardView& card, size_t slave);
+/// Something has stopped a slave: the axis that leads it stops at once, too, unless it has no plan.
+void StopMaster(Card& card, size_t slave);
 
 }  // namespace oncard::gtcalls::gt400

@@ -62,8 +62,8 @@ struct Gt400Axis {
   motion::Rare<TakenUpdate> taken;
   /// Bits 0 to 7 of the status word, captures excepted: the motion core keeps these.
   uint8_t events = 0;
-  uint32_t noticed = 0;      ///< conditions of the motion core that are among the events, or were
-  bool moved = false;        ///< it moved when this was asked last
+  uint32_t noticed = 0;      ///< conditions whose present causes are among the events, or were
+  bool moved = false;        ///< it moved after the last tick or command
   bool pulses = false;       ///< GT_CtrlMode(1) on a card with voltages
   bool open_loop = false;    ///< GT_OpenLp
   int16_t open_output = 0;   ///< GT_SetMtrCmd: the output in open loop

@@ -78,8 +78,7 @@ namespace {
 
 /// True if the axis cannot follow a path.
 bool IsAbnormal(const Card& card, size_t axis) {
-  const bool open = IsAnalogue(card, axis) && card.state<Gt400State>().axes[axis].open_loop;
-  return open || !card.motion.axis(axis).servo_on ||
+  return IsInOpenLoop(card, axis) || !card.motion.axis(axis).servo_on ||
          (EventsOf(card.view(), axis) & kAlarmEventBit) != 0;
 }
 
@@ -102,7 +101,7 @@ void StopAtStart(Card& card) {
     const CoordinateMap& map = *CrdOf(card.view()).map;
     if (!map.Has(axis)) continue;
     const uint8_t limit = LimitTowards(card, axis, map.Along(axis, direction));
-    card.state<Gt400State>().axes[axis].events |= limit;
+    SetEvents(card, axis, limit);
     if (limit != 0 || IsAbnormal(card, axis)) DriverOf(card).StopFor(axis, true);
   }
 }

@@ -6,6 +6,7 @@
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/gears.h"
+#include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -78,6 +79,22 @@ void StartMotion(Card& card, size_t axis) {
   }
 }
 
+/// The direction, as a sign, in which a motion with the valid registers would begin; 0: none would.
+double DirectionOf(const motion::Profile& profile, const AxisRegisters& valid) {
+  switch (profile.mode) {
+    case ProfileMode::kTrap:
+      if (IsZero(valid.acceleration) || IsZero(valid.velocity)) return 0;
+      return valid.position - profile.now.position;
+    case ProfileMode::kSCurve:
+      if (IsZero(valid.max_acceleration) || IsZero(valid.jerk) || IsZero(valid.velocity)) return 0;
+      return valid.position - profile.now.position;
+    case ProfileMode::kJog:
+      return IsZero(valid.acceleration) ? 0 : valid.velocity;
+    default:
+      return 0;
+  }
+}
+
 /// An axis in motion has an acceleration, unless mode V has been given none since.
 void StopSmoothly(Card& card, size_t axis) {
   const double deceleration = card.state<Gt400State>().axes[axis].valid.acceleration;
@@ -110,12 +127,14 @@ void Apply(Card& card, size_t axis, const TakenUpdate& update) {
   } else if (card.motion.profile(axis).mode == ProfileMode::kGear) {
     if ((update.request.written & BitOf(Register::kRatio)) != 0) Engage(card, axis);
   } else {
+    const double direction = DirectionOf(card.motion.profile(axis), state.valid);
+    if (rested && RefuseAtLimit(card, axis, direction)) return;
     StartMotion(card, axis);
   }
   // Otherwise a host that waits for the end of a motion without length would wait for ever.
   const motion::Profile& profile = card.motion.profile(axis);
   if (rested && !profile.now.moving && (stops || IsThere(profile, state.valid))) {
-    state.events |= kCompleteBit;
+    SetEvents(card, axis, kCompleteBit);
   }
   NoticeMotion(card, axis);
 }

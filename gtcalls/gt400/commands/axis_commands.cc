@@ -47,7 +47,7 @@ int16_t GT_AxisOn(Call& call) {
                                  axis + 1));
   }
   if (!call.card.motion.axis(axis).servo_on) HandleOf(call).ServoOn();
-  CurrentState(call).events |= kCompleteBit;
+  SetEvents(call.card, axis, kCompleteBit);
   return vm::kOk;
 }
 

@@ -5,6 +5,7 @@
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/gears.h"
 #include "gtcalls/gt400/registers.h"
+#include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -105,12 +106,7 @@ int16_t GT_SynchPos(Call& call) {
 
 /// It ends the motion, also one that has ended, and forgets the target velocity.
 int16_t GT_AbptStp(Call& call) {
-  const size_t axis = CurrentAxis(call);
-  Gt400Axis& state = CurrentState(call);
-  call.card.motion.ProfileAt(axis).Stop(true);
-  NoticeMotion(call.card, axis);
-  state.events |= kCompleteBit;
-  state.waiting.velocity = state.valid.velocity = 0;
+  StopAbruptly(call.card, CurrentAxis(call));
   return vm::kOk;
 }
 

@@ -1,11 +1,13 @@
-// Electronic gears: when a slave follows, which masters there are, and what ends a gear. All
-// masters here move at 1 pulse/ST with 0.1 pulse/ST^2: 10 ST and 5 pulses.
+// Electronic gears: when a slave follows, which masters there are, and what stops slaves and their
+// masters. All masters here move at 1 pulse/ST with 0.1 pulse/ST^2: 10 ST and 5 pulses.
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/gt400/gt400_test_card.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
+
+using motion::DiType;
 
 /// Four axes with pulses, all enabled. Axis 1 is the current one.
 class Gt400Gear : public ::testing::Test {
@@ -166,6 +168,136 @@ TEST_F(Gt400Gear, AnAbruptStopAndADriveThatIsSwitchedOffEndItUntilTheNextRatio) 
     card.Do("GT_Update");
     EXPECT_TRUE(card.StatusBit(kBitMoves)) << command;
   }
+}
+
+// --- Slaves that are stopped -------------------------------------------------------------------
+
+TEST_F(Gt400Gear, ALimitOfTheSlaveStopsItsMaster) {
+  Follow(2, -2);
+  MoveTo(2, 1000);
+  card_.Run(15);
+  card_.SetInput(DiType::kLimitNegative, 0, true);
+  EXPECT_EQ(Planned(2), 11);
+  EXPECT_EQ(Planned(1), -22);
+  EXPECT_EQ(StatusOf(2), 0x1B01u);
+  EXPECT_EQ(StatusOf(1), 0x0B40u) << "no motion of a slave ends";
+  card_.Run(10);
+  EXPECT_EQ(Planned(2), 11);
+}
+
+TEST_F(Gt400Gear, TheMasterCannotGoOnTowardsTheLimitOfItsSlave) {
+  Follow(2, -2);
+  MoveTo(2, 1000);
+  card_.Run(15);
+  card_.SetInput(DiType::kLimitNegative, 0, true);
+  for (const int axis : {1, 2}) {
+    Choose(axis);
+    card_.Do("GT_ClrSts");
+  }
+  card_.MoveT(500, 1, 0.1);
+  EXPECT_EQ(StatusOf(2), 0x1B01u);
+  EXPECT_EQ(StatusOf(1), 0x0B40u);
+  card_.Run(10);
+  EXPECT_EQ(Planned(2), 11);
+}
+
+// The slave follows back from the first tick on, without an Update of its own.
+TEST_F(Gt400Gear, TheSlaveFollowsItsMasterBackFromTheLimit) {
+  Follow(2, -2);
+  MoveTo(2, 1000);
+  card_.Run(15);
+  card_.SetInput(DiType::kLimitNegative, 0, true);
+  Choose(2);
+  card_.MoveT(0, 1, 0.1);
+  card_.Cycle();
+  EXPECT_TRUE(card_.StatusBit(kBitMoves));
+  EXPECT_EQ(StatusOf(1), 0x0F40u);
+  card_.Run(100);
+  EXPECT_EQ(Planned(2), 0);
+  EXPECT_NEAR(Planned(1), 0, 1e-12);
+}
+
+TEST_F(Gt400Gear, TheLimitOfASlaveOfASlaveStopsTheFirstMaster) {
+  Follow(4, -1.5);
+  Choose(3);
+  Follow(1, 0.5);
+  MoveTo(4, 1000);
+  card_.Run(15);
+  card_.SetInput(DiType::kLimitNegative, 2, true);
+  EXPECT_EQ(Planned(4), 11);
+  EXPECT_EQ(StatusOf(4), 0x3B01u);
+  EXPECT_EQ(StatusOf(3), 0x2B40u);
+  card_.Run(5);
+  EXPECT_EQ(Planned(4), 11);
+  EXPECT_EQ(Planned(1), -16.5);
+  Choose(4);
+  card_.MoveT(500, 1, 0.1);
+  card_.Run(5);
+  EXPECT_EQ(Planned(4), 11);
+}
+
+// An encoder cannot be stopped: the slave rests at its limit until the encoder turns back.
+TEST_F(Gt400Gear, AnEncoderLeadsOnWhileALimitHoldsTheSlave) {
+  Follow(5, 1);
+  motion::Plant& wheel = ChangeState(card_.motion).plants[motion::kAuxiliaryFirst];
+  wheel.hand = 4;
+  card_.Run(11);
+  card_.SetInput(DiType::kLimitPositive, 0, true);
+  EXPECT_EQ(Planned(1), 44);
+  EXPECT_EQ(StatusOf(1), 0x0B20u);
+  card_.Run(20);
+  EXPECT_EQ(Planned(1), 44);
+  ChangeState(card_.motion).plants[motion::kAuxiliaryFirst].hand = -4;
+  card_.Run(2);
+  EXPECT_TRUE(card_.StatusBit(kBitMoves));
+  EXPECT_EQ(Planned(1), 40);
+}
+
+TEST_F(Gt400Gear, AnAlarmOfTheSlaveStopsItsMasterAndEndsTheGear) {
+  Follow(2, -2);
+  MoveTo(2, 1000);
+  card_.Run(15);
+  card_.SetInput(DiType::kAlarm, 0, true);
+  EXPECT_EQ(Planned(2), 11);
+  EXPECT_EQ(StatusOf(2), 0x1B01u);
+  EXPECT_EQ(StatusOf(1), 0x0903u);
+  Choose(2);
+  card_.MoveT(0, 1, 0.1);
+  card_.Run(10);
+  EXPECT_EQ(Planned(1), -22);
+}
+
+TEST_F(Gt400Gear, AMotionErrorOfTheSlaveDoesTheSameIfTheHostWantsThat) {
+  for (const bool stops : {false, true}) {
+    Gt400TestCard card;
+    card.Enable(2);
+    card.Do("GT_Axis", {1});  // in closed loop
+    card.Do("GT_SetPosErr", {10});
+    card.Do("GT_AxisOn");
+    if (stops) card.Do("GT_AuStpOn");
+    card.Do("GT_PrflG", {2});
+    card.Do("GT_SetRatio", {1});
+    card.Do("GT_Update");
+    card.Do("GT_ClrSts");
+    ChangeState(card.motion).plants[0].stalled = true;
+    card.Do("GT_Axis", {2});
+    card.MoveT(1000, 1, 0.1);
+    card.Run(30);
+    EXPECT_EQ(card.Status(), stops ? 0x1B01u : 0x1F00u);
+    card.Do("GT_Axis", {1});
+    EXPECT_EQ(card.Status(), stops ? 0x0911u : 0x0F10u);
+  }
+}
+
+TEST_F(Gt400Gear, ARingOfGearsRests) {
+  Follow(2, 1);
+  Choose(2);
+  Follow(1, 1);
+  card_.Run(10);
+  card_.SetInput(DiType::kAlarm, 0, true);
+  EXPECT_EQ(Planned(1), 0);
+  EXPECT_EQ(Planned(2), 0);
+  EXPECT_EQ(StatusOf(2), 0x1F00u);
 }
 
 }  // namespace
