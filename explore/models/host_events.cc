@@ -58,6 +58,14 @@ Result<HostEvents> HostEvents::Create(const runtime::Scenario& scenario,
         "threads: {0}; such a host cannot be explored",
         "主机在启动线程之后更改了程序或线程的函数：{0}；无法探索这样的主机程序", host.Describe(i));
   }
+  if (program == nullptr && !controller.family().HasPrograms()) {
+    return MakeError(1,
+                     "a {0} executes no motion programs: the calls of the host have one order, and "
+                     "there is nothing to explore; 'oncard replay' makes them again",
+                     "{0} 不执行运动程序：主机调用只有一种顺序，没有可探索的内容；“oncard replay” "
+                     "可重放这些调用",
+                     scenario.card);
+  }
   if (program == nullptr) {
     return MakeError(1, "the host starts no thread of a program: there is nothing to explore",
                      "主机程序未启动任何线程：没有可探索的内容");

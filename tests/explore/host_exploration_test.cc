@@ -164,6 +164,13 @@ TEST(HostExplorationTest, RefusesAHostThatStartsNoThread) {
   EXPECT_THAT(RefusalOf(host.text()), HasSubstr("the host starts no thread"));
 }
 
+TEST(HostExplorationTest, RefusesACardWithoutMotionPrograms) {
+  RecordingHost host("GE-300-SG");
+  host.Call("GT_AxisOn", {1});
+  host.Close();
+  EXPECT_THAT(RefusalOf(host.text()), HasSubstr("a GE-300-SG executes no motion programs"));
+}
+
 TEST(HostExplorationTest, RefusesAnotherProgramAfterTheStart) {
   RecordingHost host;
   for (const char* name : {"first", "second"}) {
