@@ -5,11 +5,7 @@
 namespace oncard::gtcalls::gt400 {
 uint8_t EventsOf(const CardView& card, size_t axis) {
   const Gt400Axis& state = card.state<Gt400State>().axes[axis];
-  uint32_t events = state.events | NewLimits(card, axis);
-  if (card.motion.part<&motion::MotionState::capture>().capture(axis).captured) {
-    events |= kCapturedBit;
-  }
-  return static_cast<uint8_t>(events);
+  return static_cast<uint8_t>(state.events | NewLimits(card, axis));
 }
 
 void SetEvents(Card& card, size_t axis, uint8_t events) {
@@ -22,7 +18,6 @@ void ClearEvents(Card& card, size_t axis, uint32_t kept) {
   Gt400Axis& state = AxisState(card, axis);
   state.events = static_cast<uint8_t>(state.events & kept);
   ForbidDirections(card, axis);
-  if ((kept & kCapturedBit) == 0) card.motion.capture().Clear(axis);
 }
 
 bool Moves(const CardView& card, size_t axis) {

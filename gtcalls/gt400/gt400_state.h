@@ -60,8 +60,7 @@ struct Gt400Axis {
   AxisRegisters valid;    ///< in use
   UpdateRequest request;  ///< what waits with them
   motion::Rare<TakenUpdate> taken;
-  /// Bits 0 to 7 of the status word, captures excepted: the motion core keeps these.
-  uint8_t events = 0;
+  uint8_t events = 0;        ///< bits 0 to 7 of the status word
   uint32_t noticed = 0;      ///< conditions whose present causes are among the events, or were
   bool moved = false;        ///< it moved after the last tick or command
   bool pulses = false;       ///< GT_CtrlMode(1) on a card with voltages
@@ -85,10 +84,12 @@ struct Gt400State {
   uint16_t command_register = 0;
   bool path_refused = false;              ///< the last path command
   uint8_t adc_channels = gt400::kAdcMax;  ///< GT_SetAdcChn: those that are converted
+  bool probe_stops = false;               ///< GT_ProbStopOn
   gt400::Path path;
 
   auto Fields() const {
-    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels, path);
+    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels,
+                    probe_stops, path);
   }
 };
 

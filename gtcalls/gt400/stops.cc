@@ -132,6 +132,23 @@ void JudgePositionError(Card& card, size_t axis) {
   if (AxisState(card, axis).auto_stop) EndAbnormally(card, axis);
 }
 
+/// The event is the family's: the motion core forgets what it has captured, but not where.
+bool TakeCapture(Card& card, size_t axis) {
+  const motion::Capture& capture = card.motion.part<&motion::MotionState::capture>().capture(axis);
+  if (!capture.captured) return false;
+  const bool by_probe = capture.source == motion::CaptureSource::kProbe;
+  SetEvents(card, axis, kCapturedBit);
+  card.motion.capture().Clear(axis);
+  return by_probe;
+}
+
+void NoticeCaptures(Card& card) {
+  bool probed = false;
+  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) probed |= TakeCapture(card, axis);
+  if (!probed || !card.state<Gt400State>().probe_stops) return;
+  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) StopAbruptly(card, axis);
+}
+
 }  // namespace
 
 uint8_t NewLimits(const CardView& card, size_t axis) {
@@ -186,6 +203,7 @@ void NoticeStops(Card& card) {
   ForEachAxis(card, NoticeLimitStop);
   ForEachAxis(card, NoticeAlarm);
   ForEachAxis(card, JudgePositionError);
+  NoticeCaptures(card);
 }
 
 void NoticeEnds(Card& card) {

@@ -1,7 +1,7 @@
-// What stops axes by itself: limit switches, alarms and motion errors; and what that means
+// What stops axes by itself: limit switches, alarms, motion errors, the probe; and what that means
 // for gears. The motion core stops an axis at a limit and after an alarm in the tick in which the
 // input becomes active; here are the events that follow, and which directions stay forbidden.
-// Source: GT manual 4.1.4.3, chapter 7. Tested by tests/gtcalls/gt400/stop_test.cc.
+// Source: GT manual 4.1.4.3, chapters 7 and 9. Tested by tests/gtcalls/gt400/stop_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ void ForbidDirections(Card& card, size_t axis);
 /// limit is an event again.
 bool RefuseAtLimit(Card& card, size_t axis, double direction);
 
-/// In the tick: what has stopped axes.
+/// In the tick: what was captured, and what has stopped axes.
 void NoticeStops(Card& card);
 /// In the tick, after all stops: the ends of motions, and which directions are forbidden from now
 /// on.
