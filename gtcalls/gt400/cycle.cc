@@ -1,5 +1,6 @@
 #include "gtcalls/gt400/cycle.h"
 
+#include "gtcalls/gt400/breakpoints.h"
 #include "gtcalls/gt400/paths.h"
 #include "gtcalls/gt400/registers.h"
 #include "gtcalls/gt400/stops.h"
@@ -11,6 +12,7 @@ void AfterTick(Card& card) {
   NoticeStops(card);
   AdvancePath(card);
   NoticeEnds(card);
+  MeetBreakpoints(card);
   ApplyTakenUpdates(card);
 }
 

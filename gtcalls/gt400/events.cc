@@ -11,6 +11,7 @@ uint8_t EventsOf(const CardView& card, size_t axis) {
 void SetEvents(Card& card, size_t axis, uint8_t events) {
   Gt400Axis& state = AxisState(card, axis);
   state.events = static_cast<uint8_t>(state.events | events);
+  state.new_events = static_cast<uint8_t>(state.new_events | events);
 }
 
 void ClearEvents(Card& card, size_t axis, uint32_t kept) {

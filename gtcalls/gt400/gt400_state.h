@@ -55,12 +55,22 @@ struct TakenUpdate {
   auto Fields() const { return std::tie(registers, request); }
 };
 
+/// What an axis waits for at a breakpoint.
+enum class Breakpoint : uint8_t {
+  kNone,
+  kPositive,  ///< the actual position is at its register or above
+  kNegative,  ///< at its register or below
+  kMotion,    ///< a motion ends
+  kCapture,   ///< a position is captured
+};
+
 struct Gt400Axis {
   AxisRegisters waiting;  ///< as last written; what commands read
   AxisRegisters valid;    ///< in use
   UpdateRequest request;  ///< what waits with them
   motion::Rare<TakenUpdate> taken;
   uint8_t events = 0;        ///< bits 0 to 7 of the status word
+  uint8_t new_events = 0;    ///< those that have occurred since the last tick
   uint32_t noticed = 0;      ///< conditions whose present causes are among the events, or were
   bool moved = false;        ///< it moved after the last tick or command
   bool pulses = false;       ///< GT_CtrlMode(1) on a card with voltages
@@ -68,10 +78,11 @@ struct Gt400Axis {
   int16_t open_output = 0;   ///< GT_SetMtrCmd: the output in open loop
   bool auto_stop = false;    ///< GT_AuStpOn
   bool auto_update = false;  ///< GT_AuUpdtOn
+  Breakpoint breakpoint = Breakpoint::kNone;
 
   auto Fields() const {
-    return std::tie(waiting, valid, request, taken, events, noticed, moved, pulses, open_loop,
-                    open_output, auto_stop, auto_update);
+    return std::tie(waiting, valid, request, taken, events, new_events, noticed, moved, pulses,
+                    open_loop, open_output, auto_stop, auto_update, breakpoint);
   }
 };
 
