@@ -1,6 +1,7 @@
 #include "gtcalls/gt400/cycle.h"
 
 #include "gtcalls/gt400/breakpoints.h"
+#include "gtcalls/gt400/homing.h"
 #include "gtcalls/gt400/paths.h"
 #include "gtcalls/gt400/registers.h"
 #include "gtcalls/gt400/stops.h"
@@ -14,6 +15,7 @@ void AfterTick(Card& card) {
   NoticeEnds(card);
   MeetBreakpoints(card);
   ApplyTakenUpdates(card);
+  BeginTakenHomings(card);
 }
 
 int64_t CyclesBeforeAct(const CardView&) { return 0; }

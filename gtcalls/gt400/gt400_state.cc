@@ -8,6 +8,7 @@ namespace {
 static_assert(motion::kFieldsComplete<gt400::AxisRegisters> &&
               motion::kFieldsComplete<gt400::UpdateRequest> &&
               motion::kFieldsComplete<gt400::TakenUpdate> &&
+              motion::kFieldsComplete<gt400::TakenHoming> &&
               motion::kFieldsComplete<gt400::Gt400Axis> &&
               motion::kFieldsComplete<gt400::PathList> && motion::kFieldsComplete<gt400::Path> &&
               motion::kFieldsComplete<Gt400State>);

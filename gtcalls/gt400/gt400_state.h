@@ -55,6 +55,13 @@ struct TakenUpdate {
   auto Fields() const { return std::tie(registers, request); }
 };
 
+/// A GT_Home that begins at the next tick.
+struct TakenHoming {
+  int32_t bound = 0;  ///< where the search ends
+
+  auto Fields() const { return std::tie(bound); }
+};
+
 /// What an axis waits for at a breakpoint.
 enum class Breakpoint : uint8_t {
   kNone,
@@ -69,6 +76,7 @@ struct Gt400Axis {
   AxisRegisters valid;    ///< in use
   UpdateRequest request;  ///< what waits with them
   motion::Rare<TakenUpdate> taken;
+  motion::Rare<TakenHoming> taken_homing;
   uint8_t events = 0;        ///< bits 0 to 7 of the status word
   uint8_t new_events = 0;    ///< those that have occurred since the last tick
   uint32_t noticed = 0;      ///< conditions whose present causes are among the events, or were
@@ -79,10 +87,12 @@ struct Gt400Axis {
   bool auto_stop = false;    ///< GT_AuStpOn
   bool auto_update = false;  ///< GT_AuUpdtOn
   Breakpoint breakpoint = Breakpoint::kNone;
+  bool homes_to_index = false;  ///< GT_Index
 
   auto Fields() const {
-    return std::tie(waiting, valid, request, taken, events, new_events, noticed, moved, pulses,
-                    open_loop, open_output, auto_stop, auto_update, breakpoint);
+    return std::tie(waiting, valid, request, taken, taken_homing, events, new_events, noticed,
+                    moved, pulses, open_loop, open_output, auto_stop, auto_update, breakpoint,
+                    homes_to_index);
   }
 };
 

@@ -121,6 +121,7 @@ void Apply(Card& card, size_t axis, const TakenUpdate& update) {
   const bool stops = update.request.smooth_stop;
   if (!stops && (update.request.written & kMotionRegisters) == 0) return;
   if (!CanPlan(card, axis)) return;
+  card.motion.HomingAt(axis).Abandon();
   const bool rested = !Moves(card.view(), axis);
   if (stops) {
     StopSmoothly(card, axis);

@@ -1,7 +1,8 @@
-// Captures of the actual position. Source: GT manual chapters 6, 9 and 11. Tested by
-// tests/gtcalls/gt400/capture_command_test.cc.
+// Captures of the actual position, and the search for the home switch. Source: GT manual chapters
+// 6, 9 and 11. Tested by tests/gtcalls/gt400/capture_command_test.cc and home_command_test.cc.
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/homing.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::gt400 {
@@ -30,6 +31,8 @@ int16_t Arm(Call& call, CaptureSource source, CommandCause busy) {
 }
 
 }  // namespace
+
+// --- Captures --------------------------------------------------------------------------------
 
 int16_t GT_HomeSns(Call& call) {
   for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
@@ -72,6 +75,23 @@ int16_t GT_ProbStopOn(Call& call) {
 
 int16_t GT_ProbStopOff(Call& call) {
   StateOf(call).probe_stops = false;
+  return vm::kOk;
+}
+
+// --- The home switch -------------------------------------------------------------------------
+
+/// Begins at the next tick, as an Update does.
+int16_t GT_Home(Call& call) {
+  if (call.ticked) return vm::kOk;
+  int16_t code = CheckPosition(call, call.value(0));
+  if (code == vm::kOk) code = CheckAtRest(call, kModeInUse);
+  if (code != vm::kOk) return code;
+  TakeHoming(call.card, CurrentAxis(call), call.integer(0));
+  return call.WaitForTick();
+}
+
+int16_t GT_Index(Call& call) {
+  CurrentState(call).homes_to_index = call.integer(0) != 0;
   return vm::kOk;
 }
 
