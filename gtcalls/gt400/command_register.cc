@@ -21,7 +21,7 @@ bool IsPathCommand(const Command& command) {
 }  // namespace
 
 int16_t WriteCommandRegister(Call& call, int16_t code) {
-  if (code == vm::kBadParameter || code == kNotSimulated) return code;
+  if (code < 0 || code == vm::kBadParameter || code == kNotSimulated) return code;
   const bool refused = code != vm::kOk;
   if (!refused && !IsOperating(call.command)) return code;
   Gt400State& state = call.card.state<Gt400State>();

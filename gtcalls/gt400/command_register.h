@@ -32,7 +32,7 @@ enum CommandCause : uint16_t {
 /// Acts after every command, with its code, which it returns (Family::finish). The register gets
 /// the cause of a refusal, and 0 after an operating command, which is one that changes the card. A
 /// refusal is also an event of the current axis or, for path commands, a bit of their status. Codes
-/// 7 and 8 come from the library: the card does not hear of the command.
+/// 7, 8 and those below 0 come from the library: the card does not hear of the command.
 int16_t WriteCommandRegister(Call& call, int16_t code);
 
 }  // namespace oncard::gtcalls::gt400

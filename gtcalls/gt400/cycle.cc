@@ -1,7 +1,9 @@
 #include "gtcalls/gt400/cycle.h"
 
 #include "gtcalls/gt400/breakpoints.h"
+#include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/homing.h"
+#include "gtcalls/gt400/interrupts.h"
 #include "gtcalls/gt400/paths.h"
 #include "gtcalls/gt400/registers.h"
 #include "gtcalls/gt400/stops.h"
@@ -16,6 +18,7 @@ void AfterTick(Card& card) {
   MeetBreakpoints(card);
   ApplyTakenUpdates(card);
   BeginTakenHomings(card);
+  RequestInterrupt(card);
 }
 
 int64_t CyclesBeforeAct(const CardView&) { return 0; }

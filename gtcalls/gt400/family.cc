@@ -9,6 +9,7 @@
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/cycle.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/interrupts.h"
 #include "gtcalls/gt400/limits.h"
 #include "gtcalls/gt400/rows.h"
 #include "gtcalls/gt400/status_word.h"
@@ -111,9 +112,10 @@ const Family& Gt400Family() {
       .status_word = gt400::StatusWord,
       .mode_number = gt400::ModeNumber,
       .new_state = [] { return FamilyState(Gt400State()); },
-      .reset = [](FamilyState& state) { state = Gt400State(); },
+      .reset = [](FamilyState& state) { std::get_if<Gt400State>(&state)->Reset(); },
       .after_tick = gt400::AfterTick,
       .cycles_before_act = gt400::CyclesBeforeAct,
+      .cycles_before_interrupt = gt400::CyclesBeforeInterrupt,
   };
   return kFamily;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "gtcalls/gt400/interrupt_unit.h"
 #include "gtcalls/gt400/limits.h"
 #include "gtcalls/gt400/path_state.h"
 #include "motion/common/rare.h"
@@ -107,11 +108,15 @@ struct Gt400State {
   uint8_t adc_channels = gt400::kAdcMax;  ///< GT_SetAdcChn: those that are converted
   bool probe_stops = false;               ///< GT_ProbStopOn
   gt400::Path path;
+  gt400::InterruptUnit interrupts;
 
   auto Fields() const {
     return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels,
-                    probe_stops, path);
+                    probe_stops, path, interrupts);
   }
+
+  /// GT_Reset.
+  void Reset();
 };
 
 }  // namespace oncard::gtcalls

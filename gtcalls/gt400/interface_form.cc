@@ -49,8 +49,9 @@ constexpr std::string_view kHead =
 #endif
 #define GT_API GT400_API_OF_(short)
 
-/* A handler of interrupts. */
+/* A handler of interrupts, and an event of windows.h. */
 typedef void (*GT_ISR)(void);
+typedef void* HANDLE;
 
 /* What the card does by itself at interrupts: GT_SetBgCommandSet. A set has a group of commands for
    each kind of interrupt; the next command, or the next group, follows the last command. Commands

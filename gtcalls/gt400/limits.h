@@ -29,6 +29,10 @@ inline constexpr int kAdcMax = 8;
 inline constexpr double kSampleTime = 200;
 inline constexpr double kSampleTimeMin = 48;
 inline constexpr double kSampleTimeMax = 1966.08;
+/// Of time interrupts, sample times.
+inline constexpr int kInterruptPeriodMax = 32767;
+/// Of a set of background commands, bytes. Assumption: the manual gives none.
+inline constexpr int kBackgroundSizeMax = 65536;
 inline constexpr double kNsPerUs = 1000;
 
 }  // namespace oncard::gtcalls::gt400
