@@ -1,5 +1,6 @@
 #include "gtcalls/gt400/interrupts.h"
 
+#include "gtcalls/gt400/background.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/gt400_state.h"
 #include "gtcalls/gt400/status_word.h"
@@ -48,6 +49,7 @@ void RequestForEvent(Card& card, size_t axis, uint32_t causes) {
   unit.word = static_cast<uint16_t>(StatusWord(card.view(), axis));
   if (unit.answers.by_driver()) {
     ClearEvents(card, axis, ~causes);
+    RunBackgroundSet(card, axis, unit.word);
   } else {
     unit.service = InterruptKind::kEvent;
   }

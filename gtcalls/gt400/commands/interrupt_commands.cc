@@ -1,7 +1,11 @@
 // Interrupts. Source: GT manual chapters 8 and 11. Tested by
-// tests/gtcalls/gt400/interrupt_command_test.cc.
+// tests/gtcalls/gt400/interrupt_command_test.cc and background_test.cc.
 #include "gtcalls/gt400/interrupts.h"
 
+#include <algorithm>
+#include <vector>
+
+#include "gtcalls/gt400/background.h"
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/events.h"
 
@@ -115,6 +119,42 @@ int16_t GT_UnhookIsr(Call& call) {
 int16_t GT_SetIntSyncEvent(Call& call) {
   ChangeAnswers(&UnitOf(call));
   UnitOf(call).answers.event = call.given(0);
+  return vm::kOk;
+}
+
+int16_t GT_SetBgCommandSet(Call& call) {
+  auto& background = UnitOf(call).answers.background;
+  if (!call.given(0)) {
+    background.Reset();
+    return vm::kOk;
+  }
+  const std::span<const double> cells = call.cells(0);
+  std::vector<uint8_t> memory(cells.size());
+  std::ranges::transform(cells, memory.begin(),
+                         [](double cell) { return static_cast<uint8_t>(cell); });
+  size_t size = 0;
+  if (auto why = CheckBackgroundSet(memory, &size)) {
+    return call.Refuse(kDriverRefuses, *std::move(why));
+  }
+  memory.resize(size);
+  ChangeAnswers(&UnitOf(call));
+  background.Emplace({std::move(memory)});
+  return vm::kOk;
+}
+
+int16_t GT_GetBgCommandResult(Call& call) {
+  const auto& background = UnitOf(call).answers.background;
+  if (!background) {
+    return call.Refuse(kDriverRefuses, {"there is no background set, call GT_SetBgCommandSet first",
+                                        "没有后台命令集，请先调用 GT_SetBgCommandSet"});
+  }
+  const std::vector<uint8_t>& memory = background->bytes;
+  if (call.cells(0).size() < memory.size()) {
+    return call.Refuse(kDriverRefuses, MakeMessage("the size is {} bytes; the set has {}",
+                                                   "长度为 {} 字节；后台命令集有 {} 字节",
+                                                   call.cells(0).size(), memory.size()));
+  }
+  for (size_t i = 0; i < memory.size(); ++i) call.Set(0, memory[i], i);
   return vm::kOk;
 }
 
