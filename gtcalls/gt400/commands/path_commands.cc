@@ -15,11 +15,21 @@ using motion::Coordinates;
 
 // --- The map ---------------------------------------------------------------------------------
 
+namespace {
+
+/// Assumption: positions of axes are numbers of pulses also where the map changes under a list.
+constexpr double kMapFigureMax = -static_cast<double>(kPositionMin);
+
+}  // namespace
+
 int16_t GT_MapAxis(Call& call) {
   const std::span<const double> figures = call.cells(1);
-  if (!std::ranges::all_of(figures, [](double figure) { return std::isfinite(figure); })) {
+  // Written so that the check fails for a NaN.
+  const auto usable = [](double figure) { return std::fabs(figure) <= kMapFigureMax; };
+  if (!std::ranges::all_of(figures, usable)) {
     return call.Refuse(vm::kBadParameter,
-                       {"the map has a figure that is not finite", "映射系数含非有限数值"});
+                       MakeMessage("each figure of the map must be within {0}",
+                                   "映射系数的绝对值不得超过 {0}", kMapFigureMax));
   }
   motion::MapRow row;
   std::copy_n(figures.begin(), row.coefficients.size(), row.coefficients.begin());

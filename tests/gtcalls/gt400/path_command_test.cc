@@ -95,6 +95,8 @@ TEST(GtMap, RefusesNumbersAndFiguresThatAreNone) {
       EXPECT_EQ(card.Call("GT_MapAxis", {1}, &row), 7);
     }
   }
+  std::vector<double> huge = {1, 0, 0, 0, -1.1e9};
+  EXPECT_EQ(card.Call("GT_MapAxis", {1}, &huge), 7);
   EXPECT_EQ(card.Call("GT_MapAxis", {1}), 7);
   EXPECT_FALSE(card.PathBit(3));
   std::vector<double> zero = {0, 0, 0, 0, 7};
