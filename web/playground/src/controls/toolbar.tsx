@@ -104,9 +104,9 @@ export function Toolbar() {
           <span class="tool-text">{t.explore}</span>
           <kbd aria-hidden="true">{keyText("explore")}</kbd>
         </button>
+        <RecordButton />
       </div>
       <div class="row end grow">
-        <RecordButton />
         <button
           type="button"
           class="quiet"
