@@ -1,5 +1,6 @@
 // Writes requests to the module for records, one in each line, and beside them the answers of this
-// computer's build: sessions of hosts that drive a card of each family.
+// computer's build: sessions of hosts that drive cards, and of one that only opens a card for each
+// family.
 // tests/web/record_equality_test.mjs gives the requests to the module.
 //   web_record_requests REQUESTS ANSWERS
 #include <iostream>
@@ -10,6 +11,8 @@
 
 #include "base/files.h"
 #include "base/json_text.h"
+#include "gtcalls/card_type.h"
+#include "gtcalls/families.h"
 #include "tests/runtime/recording_host.h"
 #include "web/wasm/module_host.h"
 #include "web/wasm/record_reader.h"
@@ -63,10 +66,20 @@ std::string PathRecord() {
   return host.text();
 }
 
+std::string IdleRecord(const gtcalls::CardType& card) {
+  runtime::RecordingHost host(card.name);
+  host.Wait(kMotionUs);
+  host.Close();
+  return host.text();
+}
+
 std::vector<Json> Requests() {
-  const std::pair<std::string, std::string> records[] = {{"program.calls", ProgramRecord()},
-                                                         {"point.calls", PointToPointRecord()},
-                                                         {"path.calls", PathRecord()}};
+  std::vector<std::pair<std::string, std::string>> records = {{"program.calls", ProgramRecord()},
+                                                              {"point.calls", PointToPointRecord()},
+                                                              {"path.calls", PathRecord()}};
+  for (const gtcalls::Family* family : gtcalls::Families()) {
+    records.emplace_back(std::string(family->name) + ".calls", IdleRecord(family->default_card));
+  }
   std::vector<Json> requests;
   const auto ask = [&](const std::string& id, const std::string& request, Json arguments) {
     requests.push_back({{"id", id}, {"request", request}, {"arguments", std::move(arguments)}});
