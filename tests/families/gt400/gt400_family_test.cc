@@ -149,6 +149,23 @@ TEST(Gt400Cards, AreNamedByTheEnvironment) {
   EXPECT_THAT(other.err, HasSubstr("ONCARD_CARD is 'GTS-800', expected one of GT-400-SV"));
 }
 
+// --- Time ----------------------------------------------------------------------------------------
+
+// The clock is read at 10.05 ms. The sample time is changed at 10.1 ms, so that the cycle in
+// progress ends at 10.2 ms, and 24 others of 400 us before 20.15 ms. The reset at 20.2 ms begins 50
+// of 200 us before 30.25 ms. Updates end with the ticks at 30.4 and 30.6 ms.
+TEST(Gt400Time, CountsSampleTimesWhateverTheyTake) {
+  const ProcessResult host = Exec("gt400_sample_time");
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "10 ms: 50\n"
+            "10 ms of 400 us: 75\n"
+            "10 ms after a reset: 50\n"
+            "sample time: 200 us\n"
+            "an update: 51\n"
+            "another one: 52\n");
+}
+
 // --- The library ---------------------------------------------------------------------------------
 
 TEST(Gt400Library, IsFoundByItsNameOnWindows) {
