@@ -76,6 +76,36 @@ TEST(Gt400ModeS, KeepsToItsJerk) {
   EXPECT_EQ(card.Status(), 0x0B01u);
 }
 
+/// Cruises in mode S, at 95: the ramp took 1 / 0.01 + 0.01 / 0.001 = 110 ST and 55 pulses.
+void CruiseInModeS(Gt400TestCard& card) {
+  card.Enable(1);
+  card.Do("GT_PrflS");
+  card.Do("GT_SetPos", {200});
+  card.Do("GT_SetVel", {1});
+  card.Do("GT_SetMAcc", {0.01});
+  card.Do("GT_SetJerk", {0.001});
+  card.Do("GT_Update");
+  card.Run(150);
+  EXPECT_NEAR(card.motion.profile(0).now.position, 95, 1e-9);
+}
+
+TEST(Gt400ModeS, TargetMayChangeInMotion) {
+  // The update is at 96. Ahead: a cruise, then 110 ST and 55 pulses. Behind: a stop as long, at
+  // 151, and the way back to 0, with a cruise of 151 - 2 * 55 pulses.
+  const struct {
+    double target;
+    int time;
+  } cases[] = {{300, 204 - 55 + 110}, {0, 110 + 110 + 41 + 110}};
+  for (const auto& c : cases) {
+    Gt400TestCard card;
+    CruiseInModeS(card);
+    card.Do("GT_SetPos", {c.target});
+    card.Do("GT_Update");
+    EXPECT_EQ(card.RunToRest(), c.time);
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), c.target);
+  }
+}
+
 TEST(Gt400Mode, ChangesAtRestOnly) {
   Gt400TestCard card;
   card.Enable(1);
@@ -104,6 +134,21 @@ TEST(Gt400Stop, AtOnceForgetsTheVelocity) {
     const double position = card.Read("GT_GetPrfPos");
     card.Run(10);
     EXPECT_EQ(card.Read("GT_GetPrfPos"), position);
+  }
+}
+
+TEST(Gt400Stop, OnlyTheOneAtOnceMakesAVelocityNecessary) {
+  for (const bool at_once : {true, false}) {
+    Gt400TestCard card;
+    card.Enable(1);
+    card.MoveT(10000, 1, 0.01);
+    card.Run(200);
+    card.Do(at_once ? "GT_AbptStp" : "GT_SmthStp");
+    card.Do("GT_Update");
+    card.RunToRest();
+    card.Do("GT_SetPos", {10000});
+    card.Do("GT_Update");
+    EXPECT_EQ(card.StatusBit(10), !at_once);
   }
 }
 
