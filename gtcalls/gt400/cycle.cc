@@ -21,6 +21,7 @@ void AfterTick(Card& card) {
   RequestInterrupt(card);
 }
 
+// An input can become active in any cycle.
 int64_t CyclesBeforeAct(const CardView&) { return 0; }
 
 }  // namespace oncard::gtcalls::gt400

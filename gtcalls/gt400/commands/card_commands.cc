@@ -1,7 +1,5 @@
 // The card as a whole. Source: GT manual 2.2, 3.1 and chapter 11. Tested by
 // tests/gtcalls/gt400/card_command_test.cc.
-#include <algorithm>
-
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/events.h"
 #include "motion/common/rounding.h"
@@ -20,11 +18,15 @@ int16_t GT_GetVrsn(Call& call) {
 }
 
 int16_t GT_SetSmplTm(Call& call) {
-  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-    if (!Moves(call.card.view(), axis)) continue;
+  const motion::MotionCore& core = call.card.motion;
+  bool moves = core.PathRuns();
+  for (size_t axis = 0; axis < core.axis_count(); ++axis) {
+    moves = moves || Moves(call.card.view(), axis);
+  }
+  if (moves) {
     return RefuseFor(call, kInMotion,
-                     MakeMessage("axis {0} is moving, the sample time can change at rest only",
-                                 "轴 {0} 正在运动，仅可在静止时修改控制周期", axis + 1));
+                     {"an axis or a path is moving, the sample time can change at rest only",
+                      "有轴或坐标系正在运动，仅可在静止时修改控制周期"});
   }
   StateOf(call).sample_time = call.value(0);
   if (call.card.set_cycle_ns) {

@@ -53,6 +53,16 @@ TEST(Gt400SampleTime, HasARangeAndCannotChangeInMotion) {
   card.Do("GT_SetSmplTm", {400});
 }
 
+TEST(Gt400SampleTime, CannotChangeWhileAPathRunsWithoutAxes) {
+  Gt400TestCard card;
+  card.Do("GT_SetSynVel", {1});
+  card.Do("GT_SetSynAcc", {0.1});
+  card.Do("GT_LnXY", {100, 0});
+  card.Refuses(kInMotion, "GT_SetSmplTm", {400});
+  card.Run(200);
+  card.Do("GT_SetSmplTm", {400});
+}
+
 // --- The command register --------------------------------------------------------------------
 
 TEST(Gt400CommandRegister, HoldsTheCauseOfTheLastOperatingCommand) {
