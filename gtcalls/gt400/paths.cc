@@ -4,6 +4,7 @@
 
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -82,27 +83,15 @@ bool IsAbnormal(const Card& card, size_t axis) {
          (EventsOf(card.view(), axis) & kAlarmEventBit) != 0;
 }
 
-/// The event of a limit that keeps the axis from moving in a direction; 0 if there is none.
-uint8_t LimitTowards(const Card& card, size_t axis, double direction) {
-  const uint32_t conditions = card.motion.Conditions(axis);
-  if (direction > 0 && (conditions & motion::kPositiveLimitBit) != 0) {
-    return kPositiveLimitEventBit;
-  }
-  if (direction < 0 && (conditions & motion::kNegativeLimitBit) != 0) {
-    return kNegativeLimitEventBit;
-  }
-  return 0;
-}
-
 /// A path that has been started stops at once if an axis cannot follow it.
 void StopAtStart(Card& card) {
   const motion::Coordinates direction = CrdOf(card.view()).FirstDirection();
   for (size_t axis = 0; axis < kAxisMax && PathRuns(card.view()); ++axis) {
     const CoordinateMap& map = *CrdOf(card.view()).map;
     if (!map.Has(axis)) continue;
-    const uint8_t limit = LimitTowards(card, axis, map.Along(axis, direction));
-    SetEvents(card, axis, limit);
-    if (limit != 0 || IsAbnormal(card, axis)) DriverOf(card).StopFor(axis, true);
+    if (RefuseAtLimit(card, axis, map.Along(axis, direction)) || IsAbnormal(card, axis)) {
+      DriverOf(card).StopFor(axis, true);
+    }
   }
 }
 

@@ -118,9 +118,12 @@ TEST(GtAutoStop, LetsAPathLeaveALimit) {
   PathTestCard card;
   card.SetInput(DiType::kLimitPositive, 0, true);
   card.SetRates(2, 0.01);
+  card.Do("GT_ClrSts");
   card.Do("GT_LnXY", {100, 0});
   EXPECT_TRUE(card.PathBit(0));
   EXPECT_TRUE(card.PathBit(9));
+  // The limit and the end of the motion are events again.
+  EXPECT_EQ(card.Status() & 0x61, 0x21u);
   card.Run(5);
   EXPECT_EQ(card.Planned(1), 0);
   card.Do("GT_LnXY", {-100, 0});
