@@ -178,7 +178,9 @@ Json PartView(const runtime::MotionPart& part, size_t index, const RewindableRun
     if (!found.ok()) continue;
     Json json = {
         {"name", value.name}, {"path", name}, {"value", ValueView(found.value().front(), run)}};
-    if (value.unit != runtime::Unit::kNone) json["unit"] = runtime::UnitName(value.unit);
+    if (value.unit != runtime::Unit::kNone) {
+      json["unit"] = runtime::UnitName(value.unit, run.controller().family().cycle_ns != 0);
+    }
     values.push_back(std::move(json));
   }
   return {{"part", part.name}, {"number", number}, {"values", std::move(values)}};

@@ -235,16 +235,16 @@ constexpr std::array kParts = {
 
 }  // namespace
 
-std::string_view UnitName(Unit unit) {
+std::string_view UnitName(Unit unit, bool per_cycle) {
   switch (unit) {
     case Unit::kNone:
       break;
     case Unit::kPulse:
       return "pulse";
     case Unit::kPulsePerMs:
-      return "pulse/ms";
+      return per_cycle ? "pulse/cycle" : "pulse/ms";
     case Unit::kPulsePerMs2:
-      return "pulse/ms²";
+      return per_cycle ? "pulse/cycle²" : "pulse/ms²";
     case Unit::kVolt:
       return "V";
     case Unit::kKilohertz:

@@ -25,8 +25,9 @@ enum class NumberForm : uint8_t {
 
 enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2, kVolt, kKilohertz };
 
-/// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V", "kHz"; empty for none.
-std::string_view UnitName(Unit unit);
+/// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V", "kHz"; empty for none. `per_cycle`: of
+/// a card whose commands count motion in cycles (Family::cycle_ns), "pulse/cycle" and so on.
+std::string_view UnitName(Unit unit, bool per_cycle);
 
 /// One value of every part of a kind.
 struct MotionValue {

@@ -138,6 +138,9 @@ std::vector<Point> Changes(const std::vector<Point>& points) {
 class Picture {
  public:
   explicit Picture(const Trace& trace) : trace_(trace) {
+    const auto unit = [&](Unit of) { return UnitName(of, trace.per_cycle()); };
+    panels_[1].label = fmt::format("velocity [{}]", unit(Unit::kPulsePerMs));
+    panels_[2].label = fmt::format("acceleration [{}]", unit(Unit::kPulsePerMs2));
     for (size_t i = 0; i < trace.columns().size(); ++i) AddColumn(i);
     AddPaths();
     if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().last().time_us);
@@ -510,8 +513,8 @@ class Picture {
   // In the order of the picture, without empty ones.
   std::vector<Panel> panels_ = {
       {"position [pulse]", {}, false},
-      {"velocity [pulse/ms]", {}, false},
-      {"acceleration [pulse/ms²]", {}, false},
+      {"", {}, false},  // velocity, whose unit is the card's
+      {"", {}, false},  // acceleration
       {"following error [pulse]", {}, false},
       {"variables", {}, false},
       {"", {}, true},

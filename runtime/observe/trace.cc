@@ -132,6 +132,7 @@ void Trace::Sample(const Controller& controller) {
   if (!rows_.empty() && time_us > sampled_us_) AddOutputEdges(controller, time_us);
   sampled_us_ = time_us;
   cycle_us_ = std::max(cycle_us_, controller.clock().cycle_us());
+  per_cycle_ = controller.family().cycle_ns != 0;
   ReadColumns(controller);
   SampleThreads(controller, time_us);
   if (rows_.empty()) {

@@ -67,6 +67,8 @@ class Trace {
   NumberForm form(size_t column) const { return forms_[column]; }
   /// Length of the longest profile cycle.
   int64_t cycle_us() const { return cycle_us_; }
+  /// True if velocities are per cycle, as the card's commands count them.
+  bool per_cycle() const { return per_cycle_; }
 
   /// `time_ms,sum,gpo`, then a line per row.
   void WriteCsv(const TextSink& sink) const;
@@ -94,6 +96,7 @@ class Trace {
   std::bitset<vm::kThreadCount> running_;
   std::vector<TraceMark> marks_;
   int64_t cycle_us_ = 0;
+  bool per_cycle_ = false;
   int64_t sampled_us_ = 0;  // the last sample
 };
 

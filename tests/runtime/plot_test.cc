@@ -149,6 +149,33 @@ TEST(PlotOfADrive, NamesItsStatesModesAndPhasesOfHoming) {
   EXPECT_THAT(script, HasSubstr("title 'drive1.state', \\\n"));
 }
 
+// The cards of the first type count milliseconds, those of the second one sample times.
+TEST(PlotUnits, AreThoseOfTheCardsCommands) {
+  const struct {
+    const char* card;
+    const char* unit;
+  } cases[] = {{"GTS-800", "ms"}, {"GT-400-SG", "cycle"}};
+  for (const auto& c : cases) {
+    const std::string text = std::string("card = \"") + c.card + "\"\n";
+    const auto scenario = ParseScenario(text, "units.toml", ScenarioUse::kHost);
+    ASSERT_TRUE(scenario.ok()) << scenario.error().message.en;
+    Controller controller(CardOptions(scenario.value()));
+    std::vector<TraceColumn> columns;
+    for (const char* name : {"axis1.prfVel", "axis1.prfAcc"}) {
+      columns.push_back({ResolveQuantity(name, controller).value().front()});
+    }
+    Trace trace(std::move(columns));
+    trace.Sample(controller);
+    controller.RunCycle();
+    motion::Axis& axis = ChangeState(controller.motion()).axes[0];
+    axis.profile.velocity = axis.profile.acceleration = 1;
+    trace.Finish(controller);
+    const std::string script = PlotScript(trace, {}).value();
+    EXPECT_THAT(script, HasSubstr(std::string("velocity [pulse/") + c.unit + "]"));
+    EXPECT_THAT(script, HasSubstr(std::string("acceleration [pulse/") + c.unit + "²]"));
+  }
+}
+
 TEST_F(PlotTest, MarksWhatTheHostDoes) {
   trace().Mark(controller_, "go = 1");
   Cycle(1, 2);
