@@ -136,7 +136,8 @@ std::string ReadAll(const std::string& path) {
 }
 
 TEST(InterfaceTest, TheCommandReferencesAreUpToDate) {
-  for (const std::string page : {"/commands.md", "/commands-gep.md", "/commands-ges.md"}) {
+  for (const std::string page :
+       {"/commands.md", "/commands-gep.md", "/commands-ges.md", "/commands-gt400.md"}) {
     const std::string generated = ReadAll(ONCARD_GENERATED_PAGES + page);
     ASSERT_FALSE(generated.empty()) << page;
     EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs" + page) == generated)
