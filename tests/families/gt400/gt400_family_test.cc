@@ -153,7 +153,8 @@ TEST(Gt400Cards, AreNamedByTheEnvironment) {
 
 // The clock is read at 10.05 ms. The sample time is changed at 10.1 ms, so that the cycle in
 // progress ends at 10.2 ms, and 24 others of 400 us before 20.15 ms. The reset at 20.2 ms begins 50
-// of 200 us before 30.25 ms. Updates end with the ticks at 30.4 and 30.6 ms.
+// of 200 us before 30.25 ms. Updates end with the ticks at 30.4 and 30.6 ms. The other reset is at
+// 30.75 ms, and the clock is read after the tick at 30.8 ms.
 TEST(Gt400Time, CountsSampleTimesWhateverTheyTake) {
   const ProcessResult host = Exec("gt400_sample_time");
   EXPECT_EQ(host.exit_code, 0) << host.err;
@@ -163,7 +164,9 @@ TEST(Gt400Time, CountsSampleTimesWhateverTheyTake) {
             "10 ms after a reset: 50\n"
             "sample time: 200 us\n"
             "an update: 51\n"
-            "another one: 52\n");
+            "another one: 52\n"
+            "sample time: 200 us\n"
+            "a hard reset: 1\n");
 }
 
 // --- The library ---------------------------------------------------------------------------------

@@ -11,8 +11,13 @@ static void ShowClock(const char* when) {
   printf("%s: %lu\n", when, clock);
 }
 
-int main(void) {
+static void ShowSampleTime(void) {
   double us = 0;
+  GT_GetSmplTm(&us);
+  printf("sample time: %g us\n", us);
+}
+
+int main(void) {
   GT_Open();
   usleep(10000);
   ShowClock("10 ms");
@@ -22,11 +27,14 @@ int main(void) {
   GT_Reset();
   usleep(10000);
   ShowClock("10 ms after a reset");
-  GT_GetSmplTm(&us);
-  printf("sample time: %g us\n", us);
+  ShowSampleTime();
   GT_Update();
   ShowClock("an update");
   GT_MltiUpdt(15);
   ShowClock("another one");
+  GT_SetSmplTm(400);
+  GT_HardRst();
+  ShowSampleTime();
+  ShowClock("a hard reset");
   return GT_Close();
 }
