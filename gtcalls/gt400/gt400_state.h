@@ -1,5 +1,6 @@
 // What a GT400 card keeps beside its motion core: the registers of its axes that wait for an
-// Update, and the valid ones; events; the current axis; the command register.
+// Update, and the valid ones; events; the current axis; the command register; its path and its
+// interrupts.
 #pragma once
 
 #include <array>
