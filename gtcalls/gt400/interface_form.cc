@@ -88,9 +88,14 @@ typedef struct BGCOMMANDSET {
 } BGCOMMANDSET, *PBGCOMMANDSET;
 )";
 
-/// Hosts of ISA cards open them with an address and the number of an interrupt.
+/// Hosts of ISA cards open them with an address and the number of an interrupt. Compilers for DOS
+/// give handlers of interrupts parameters in C++; a template leaves NULL to the function.
 constexpr std::string_view kOverloads =
     R"(inline short GT_Open(unsigned long, unsigned long) { return GT_Open(); }
+template <typename Result>
+inline GT_ISR GT_HookIsr(Result (*handler)(...)) {
+  return GT_HookIsr(reinterpret_cast<GT_ISR>(handler));
+}
 )";
 
 constexpr std::string_view kPageHead =
