@@ -17,7 +17,7 @@ bool IsOpen(CardSlot& slot) {
 
 }  // namespace
 
-int GeCardOf(const gtcalls::Command& command, CardTable& table) {
+int GeCardOf(const gtcalls::Command& command, std::span<const HostArgument>, CardTable& table) {
   const int current = table.selected;
   if (command.name != "GT_Open" || !IsOpen(table.slots[static_cast<size_t>(current)])) {
     return current;

@@ -11,7 +11,8 @@ namespace oncard::runtime {
 
 /// GT_Open means the current card if it is closed, else the lowest closed one; all other commands
 /// mean the current one.
-int GeCardOf(const gtcalls::Command& command, CardTable& table);
+int GeCardOf(const gtcalls::Command& command, std::span<const HostArgument> arguments,
+             CardTable& table);
 
 /// GT_Open. The card becomes the current one.
 int16_t OpenGeCard(ServiceCall& call);

@@ -14,7 +14,11 @@
 
 #include "base/number.h"
 #include "gtcalls/gt400/family.h"
+#include "gtcalls/gt400/gt400_state.h"
+#include "runtime/host/call_scope.h"
+#include "runtime/host/host_interrupts.h"
 #include "runtime/host/library.h"
+#include "runtime/host/wait_object.h"
 
 namespace oncard::runtime {
 namespace {
@@ -40,7 +44,10 @@ Gt400Cards& Cards() {
 constexpr std::string_view kOfComputer[] = {
     "GT_Open", "GT_Close", "GT_SwitchtoCardNo", "GT_GetCurrentCardNo", "GT_SetAddr", "GT_GetAddr"};
 
-int Gt400CardOf(const gtcalls::Command& command, CardTable& table) {
+/// GT_ClearInt means the card that it names.
+int Gt400CardOf(const gtcalls::Command& command, std::span<const HostArgument> arguments,
+                CardTable& table) {
+  if (command.name == "GT_ClearInt") return static_cast<int>(arguments[0].integer);
   const bool of_computer = command.cost == gtcalls::Cost::kNone &&
                            std::ranges::find(kOfComputer, command.name) != std::end(kOfComputer);
   return of_computer ? 0 : table.selected.load();
@@ -134,6 +141,71 @@ int16_t GetAddress(ServiceCall& call) {
   return vm::kOk;
 }
 
+// --- Interrupts ----------------------------------------------------------------------------------
+
+/// A handler of the host, as GT400.h has it.
+using Handler = void (*)();
+
+/// The handler that is hooked from now on.
+void SetHandler(ServiceCall& call) {
+  HostInterrupts& interrupts = HostInterrupts::OfProcess();
+  InterruptAnswer answer = interrupts.AnswerOf(call.card());
+  answer.handler = reinterpret_cast<Handler>(call.arguments[0].host);
+  interrupts.Answer(call.card(), std::move(answer));
+  // What nobody has answered is requested anew.
+  call.slot.controller->TakeInterrupt();
+}
+
+int16_t HookHandler(ServiceCall& call) {
+  const int16_t code = ExecuteOnCard(call);
+  if (code != vm::kOk) return code;
+  *static_cast<Handler*>(call.arguments[1].host) =
+      HostInterrupts::OfProcess().AnswerOf(call.card()).handler;
+  SetHandler(call);
+  return vm::kOk;
+}
+
+int16_t UnhookHandler(ServiceCall& call) {
+  const int16_t code = ExecuteOnCard(call);
+  if (code == vm::kOk) SetHandler(call);
+  return code;
+}
+
+int16_t SetSyncEvent(ServiceCall& call) {
+  const void* const handle = call.arguments[0].host;
+  const bool removes = call.arguments[0].null;
+  auto event = removes ? nullptr : FindObject(handle);
+  if (!removes && event == nullptr) {
+    return call.Refuse(LibraryFamily().not_open,
+                       {"the handle is not one that CreateEvent has returned and that is open",
+                        "该句柄不是 CreateEvent 返回的有效句柄"});
+  }
+  const int16_t code = ExecuteOnCard(call);
+  if (code != vm::kOk) return code;
+  HostInterrupts& interrupts = HostInterrupts::OfProcess();
+  InterruptAnswer answer = interrupts.AnswerOf(call.card());
+  answer.event = std::move(event);
+  interrupts.Answer(call.card(), std::move(answer));
+  call.slot.controller->TakeInterrupt();
+  return vm::kOk;
+}
+
+/// A handler that has returned without GT_ClearInt has handled a time interrupt; an event interrupt
+/// needs GT_RstIntr.
+void HandlerReturned(int card) {
+  CardSlot& slot = CardTable::OfProcess().slots[static_cast<size_t>(card)];
+  {
+    const CallScope scope;
+    const std::lock_guard lock(slot.mutex);
+    if (slot.controller == nullptr) return;
+    const auto& state = slot.controller->view().state<gtcalls::Gt400State>();
+    if (state.interrupts.service != gtcalls::gt400::InterruptKind::kTime) return;
+  }
+  static const uint16_t clear = LibraryFamily().catalogue.Find("GT_ClearInt")->number;
+  const HostArgument number = ToHostArgument(card);
+  CallCard(card, clear, std::span(&number, 1));
+}
+
 constexpr HostService kServices[] = {
     // command, before_open, function
     {"GT_Open", true, OpenComputer},
@@ -144,6 +216,9 @@ constexpr HostService kServices[] = {
     {"GT_GetCurrentCardNo", false, GetSelectedCard},
     {"GT_SetAddr", true, SetAddress},
     {"GT_GetAddr", true, GetAddress},
+    {"GT_HookIsr", false, HookHandler},
+    {"GT_UnhookIsr", false, UnhookHandler},
+    {"GT_SetIntSyncEvent", false, SetSyncEvent},
 };
 
 }  // namespace
@@ -151,8 +226,10 @@ constexpr HostService kServices[] = {
 int OpenGt400Cards() { return Cards().count; }
 
 const HostLibrary& Library() {
-  static const HostLibrary kLibrary = {
-      .family = gtcalls::Gt400Family(), .services = kServices, .card_of = Gt400CardOf};
+  static const HostLibrary kLibrary = {.family = gtcalls::Gt400Family(),
+                                       .services = kServices,
+                                       .card_of = Gt400CardOf,
+                                       .handler_returned = HandlerReturned};
   return kLibrary;
 }
 

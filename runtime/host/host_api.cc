@@ -41,10 +41,12 @@ void PassTick(CardSlot& slot) {
   EndHostIfOver(&slot);
 }
 
-/// Executes a command whose arguments have been read. The card is locked.
+/// Executes a command whose arguments have been read. The card is locked. `acts`: the card has
+/// executed it.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
-                 std::span<vm::CommandArgument> arguments, Message* reason) {
+                 std::span<vm::CommandArgument> arguments, Message* reason, bool* acts) {
   if (service == nullptr) {
+    *acts = true;
     const int64_t cycle_ns = slot.controller->clock().cycle_ns();
     const int16_t code =
         slot.controller->Execute(command, arguments, reason, [&slot] { PassTick(slot); });
@@ -55,14 +57,13 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
   ServiceCall call{command, CardTable::OfProcess(), slot, arguments, {}};
   const int16_t code = service->function(call);
   *reason = std::move(call.reason);
+  // Of the library's own commands these change the card as well.
+  *acts = call.acted || LibraryFamily().Resets(command) || (slot.files && slot.files->program);
   return code;
 }
 
-void Record(const LoggedCall& made, bool read, CardSlot& slot) {
+void Record(const LoggedCall& made, bool acts, CardSlot& slot) {
   RecordedFiles files = slot.files ? *std::move(slot.files) : RecordedFiles();
-  // Of the library's own commands these change the card.
-  const bool changes = LibraryFamily().Resets(made.command) || files.program.has_value();
-  const bool acts = read && (FindHostService(made.command) == nullptr || changes);
   RecordedCall call = RecordCall(made, acts);
   call.program = std::move(files.program);
   call.sources = std::move(files.sources);
@@ -89,6 +90,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot, 
   slot.files.reset();
   Message reason;
   int16_t code = vm::kOk;
+  bool acts = false;
   if (!open && (service == nullptr || !service->before_open)) {
     code = family.not_open;
     reason = MakeMessage("card {} is not open, call {} first", "卡 {} 未打开，请先调用 {}", card,
@@ -101,12 +103,12 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot, 
       code = family.finish(unread, code);
     }
   } else {
-    code = Dispatch(command, service, slot, arguments, &reason);
+    code = Dispatch(command, service, slot, arguments, &reason, &acts);
     WriteOutputs(command, slot.call, code);
   }
   const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
   // The opening of the card is the beginning of the record, its closing the end.
-  if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
+  if (open && slot.recorder != nullptr) Record(made, acts, slot);
   CallLog* const log = CallLog::Wanted();
   // A code without a reason is an answer.
   const bool refused = code != vm::kOk && !reason.en.empty();
@@ -138,20 +140,22 @@ int16_t RefuseInterruption(const gtcalls::Command& command) {
 }
 
 /// The index of the card that a call means.
-int IndexOf(int card, const gtcalls::Command& command, CardTable& table) {
+int IndexOf(int card, const gtcalls::Command& command, std::span<const HostArgument> arguments,
+            CardTable& table) {
   if (card != kSelectedCard) return card;
   const auto card_of = Library().card_of;
-  return card_of != nullptr ? card_of(command, table) : table.selected.load();
+  return card_of != nullptr ? card_of(command, arguments, table) : table.selected.load();
 }
 
 /// Lets the time of a call pass before its card is locked, if interrupts can come meanwhile;
 /// returns what is left of it. A call of a card that is not open takes none.
-int64_t PassCost(int card, const gtcalls::Command& command) {
+int64_t PassCost(int card, const gtcalls::Command& command,
+                 std::span<const HostArgument> arguments) {
   const int64_t cost_us = LibraryFamily().cost_us(command);
   HostInterrupts& interrupts = HostInterrupts::OfProcess();
   if (!interrupts.Awaited() || call_state.depth != 0) return cost_us;
   CardTable& table = CardTable::OfProcess();
-  const int index = IndexOf(card, command, table);
+  const int index = IndexOf(card, command, arguments, table);
   if (index < 0 || index >= kCardCount) return cost_us;
   {
     const CallScope scope;
@@ -174,8 +178,10 @@ int16_t CallAndRelease(int card, const gtcalls::Command& command, int64_t cost_u
   const gtcalls::Family& family = LibraryFamily();
   if (CallScope::Interrupts()) return RefuseInterruption(command);
   CardTable& table = CardTable::OfProcess();
-  const int index = IndexOf(card, command, table);
-  if (index < 0 || index >= kCardCount) return vm::kBadParameter;
+  const int index = IndexOf(card, command, arguments, table);
+  if (index < 0 || index >= kCardCount) {
+    return card == kSelectedCard ? family.not_open : vm::kBadParameter;
+  }
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
   // A thread that has the card may wait for the wait that this handler has interrupted.
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
@@ -192,7 +198,7 @@ int16_t CallAndRelease(int card, const gtcalls::Command& command, int64_t cost_u
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
   const gtcalls::Command& command = *LibraryFamily().catalogue.Find(number);
   std::string told;
-  const int64_t cost_us = PassCost(card, command);
+  const int64_t cost_us = PassCost(card, command, arguments);
   const int16_t code = CallAndRelease(card, command, cost_us, arguments, &told);
   // Those of the tick for which the command waited.
   HostInterrupts::OfProcess().Come();

@@ -18,8 +18,9 @@ struct HostLibrary {
   /// The commands that it executes itself.
   std::span<const HostService> services;
   /// The card that a call through a function without a card number means; nullptr: the selected
-  /// one. Called with no card locked.
-  int (*card_of)(const gtcalls::Command& command, CardTable& table) = nullptr;
+  /// one. A number of no card is one of a card that is not open. Called with no card locked.
+  int (*card_of)(const gtcalls::Command& command, std::span<const HostArgument> arguments,
+                 CardTable& table) = nullptr;
   /// Gets the code of every call through a function without a card number; nullptr: nobody does.
   void (*notice_result)(const gtcalls::Command& command, std::span<const HostArgument> arguments,
                         int16_t code) = nullptr;

@@ -51,6 +51,11 @@ const HostService* FindHostService(const gtcalls::Command& command) {
   return services[command.number - 1u];
 }
 
+int16_t ExecuteOnCard(ServiceCall& call) {
+  call.acted = true;
+  return call.slot.controller->Execute(call.command, call.arguments, &call.reason);
+}
+
 int16_t OpenCard(ServiceCall& call) {
   CardSlot& slot = call.slot;
   const auto fail = [&call](const Message& why) {

@@ -24,6 +24,8 @@ struct ServiceCall {
   std::span<vm::CommandArgument> arguments;
   /// Why the call was refused, for the call log; set beside a code other than 0.
   Message reason;
+  /// The card has executed the command.
+  bool acted = false;
 
   /// The number of the card.
   int card() const { return static_cast<int>(&slot - table.slots.data()); }
@@ -42,6 +44,10 @@ struct HostService {
 
 /// The service of this library that executes a command, or nullptr if the card does.
 const HostService* FindHostService(const gtcalls::Command& command);
+
+/// Lets the card execute the command, for which it has a function: what the call does to the card
+/// is in the records, and what it does to the host is up to the service.
+int16_t ExecuteOnCard(ServiceCall& call);
 
 /// Switches the card on, with the clock, the surroundings, the memory and the record that the
 /// environment asks for. Refused with Family::open_failed if the card is open, or if what the

@@ -169,6 +169,83 @@ TEST(Gt400Time, CountsSampleTimesWhateverTheyTake) {
             "a hard reset: 1\n");
 }
 
+// --- Interrupts ----------------------------------------------------------------------------------
+
+/// The home switch of axis 3.
+constexpr const char* kHomeSwitch = R"(card = "GT-400-SV"
+[[world.switch]]
+axis = 3
+type = "home"
+from = 20000
+active_low = true
+)";
+
+// The handler runs once at the home position, with axis 3 as the current one from then on; a
+// handler of time interrupts runs every 2 ms, and needs no GT_ClearInt.
+TEST(Gt400Interrupts, CallAHandler) {
+  const ScratchFolder folder;
+  folder.Write("home.host.toml", kHomeSwitch);
+  const ProcessResult host =
+      Exec("gt400_handler", {"--scenario=home.host.toml", "--record=host.calls"},
+           {"ONCARD_LOG=calls:log.txt"}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "no card: 0\n"
+            "first: 0\n"
+            "word 0x2F08, current axis 3, captured 0\n"
+            "once: 1\n"
+            "hooked before: 1\n"
+            "in 12 ms: 6\n"
+            "no such card: -1\n"
+            "card not used: -1\n"
+            "unhook: 0\n"
+            "unhook again: -1\n"
+            "unhooked: 6\n");
+  const std::string log = folder.Read("log.txt");
+  EXPECT_THAT(log, AllOf(HasSubstr(" card0: irq axis 3 0x2F08\n"),
+                         HasSubstr(" card0 GT_SetPos(20000) = 0\n"),
+                         HasSubstr(" card0: irq time\n"), HasSubstr(" card0 GT_ClearInt(0) = 0\n"),
+                         HasSubstr("no handler is hooked, call GT_HookIsr first")));
+  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+// TmrIntr acts at 0.1 ms, before the first tick: time interrupts at ticks 100 and 200. The Update
+// acts at tick 254, and 100 pulses with velocity and acceleration 1 take 101 ticks.
+TEST(Gt400Interrupts, SetAnEventForWhichAThreadWaits) {
+  const ScratchFolder folder;
+  const ProcessResult host = Exec("gt400_events", {"--record=host.calls"}, {}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_EQ(host.out,
+            "no event: -1\n"
+            "event: 0\n"
+            "1: 0x0000 at 100\n"
+            "2: 0x0000 at 200\n"
+            "too short: -1\n"
+            "set: 0\n"
+            "3: 0x1B01 at 355\n"
+            "result: 0\n"
+            "target 50, position 100\n"
+            "closed: 1\n"
+            "closed event: -1\n");
+  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+TEST(Gt400Interrupts, AreTheSameInEveryRun) {
+  for (const char* host : {"gt400_handler", "gt400_events"}) {
+    std::vector<std::string> runs;
+    for (int run = 0; run < 2; ++run) {
+      const ScratchFolder folder;
+      folder.Write("home.host.toml", kHomeSwitch);
+      const ProcessResult ran = Exec(host, {"--scenario=home.host.toml", "--record=host.calls"},
+                                     {"ONCARD_LOG=calls:log.txt"}, folder);
+      runs.push_back(ran.out + folder.Read("log.txt") + folder.Read("host.calls"));
+    }
+    EXPECT_EQ(runs[0], runs[1]) << host;
+  }
+}
+
 // --- The library ---------------------------------------------------------------------------------
 
 TEST(Gt400Library, IsFoundByItsNameOnWindows) {

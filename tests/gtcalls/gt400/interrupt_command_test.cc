@@ -98,7 +98,7 @@ TEST(Gt400Interrupt, OfAnAxisThatIsOffOnlyAlarmsAndErrorsInterrupt) {
   card.Do("GT_Axis", {2});
   card.Do("GT_SetIntrMsk", {0x02});
   card.SetInput(motion::DiType::kAlarm, 1, true);
-  EXPECT_EQ(card.Take(), Interrupts{"irq axis 2 0x1903"});
+  EXPECT_EQ(card.Take(), Interrupts{"irq axis 2 0x1903"}) << "an alarm also ends a motion";
 }
 
 // --- Service ---------------------------------------------------------------------------------
