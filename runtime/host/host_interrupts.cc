@@ -44,23 +44,34 @@ void HostInterrupts::Enable() {
 
 // --- Cards ---------------------------------------------------------------------------------------
 
-bool HostInterrupts::Look() {
-  bool late = false;
+template <typename Visit>
+void HostInterrupts::VisitAnswered(const Visit& visit) {
   for (int card = 0; card < kCardCount; ++card) {
     const InterruptAnswer answer = AnswerOf(card);
     if (answer.handler == nullptr && answer.event == nullptr) continue;
     CardSlot& slot = CardTable::OfProcess().slots[static_cast<size_t>(card)];
-    const std::lock_guard slot_lock(slot.mutex);
-    if (slot.controller == nullptr) continue;
+    // Who has the card may wait until the calling thread goes on; it sees to the interrupts itself.
+    const std::unique_lock lock(slot.mutex, std::try_to_lock);
+    if (lock.owns_lock() && slot.controller != nullptr) visit(card, slot, answer);
+  }
+}
+
+void HostInterrupts::NoteTime() {
+  VisitAnswered([](int, CardSlot& slot, const InterruptAnswer&) { slot.NoteTime(); });
+}
+
+bool HostInterrupts::Look() {
+  bool late = false;
+  VisitAnswered([&](int card, CardSlot& slot, const InterruptAnswer& answer) {
     const bool interrupts = slot.AdvanceToInterrupt();
     EndHostIfOver(&slot);
-    if (!interrupts) continue;
+    if (!interrupts) return;
     late = late || slot.late();
     if (answer.event) answer.event->Set();
-    if (answer.handler == nullptr) continue;
+    if (answer.handler == nullptr) return;
     const std::lock_guard lock(mutex_);
     if (!std::exchange(cards_[static_cast<size_t>(card)].pending, true)) ++pending_;
-  }
+  });
   return late;
 }
 
@@ -68,26 +79,18 @@ int64_t HostInterrupts::NextNs() {
   const int64_t now_ns = VirtualTime::OfProcess().NowNs();
   int64_t next_ns = VirtualTime::kNeverNs;
   bool goes_on = false;
-  for (int card = 0; card < kCardCount && Awaited(); ++card) {
-    const InterruptAnswer answer = AnswerOf(card);
-    if (answer.handler == nullptr && answer.event == nullptr) continue;
-    CardSlot& slot = CardTable::OfProcess().slots[static_cast<size_t>(card)];
-    const std::lock_guard lock(slot.mutex);
-    if (slot.controller == nullptr) continue;
+  VisitAnswered([&](int, CardSlot& slot, const InterruptAnswer&) {
     const int64_t earliest_ns = slot.EarliestInterruptNs();
     next_ns = std::min(next_ns, earliest_ns);
     goes_on = goes_on || (earliest_ns != VirtualTime::kNeverNs && slot.controller->GoesOn());
-  }
+  });
   if (goes_on || quiet_since_ns_ == kUnknown) quiet_since_ns_ = now_ns;
   const int64_t end_ns = quiet_since_ns_ + kNothingComesNs;
   return now_ns >= end_ns ? VirtualTime::kNeverNs : std::min(next_ns, end_ns);
 }
 
 void HostInterrupts::Act() {
-  for (CardSlot& slot : CardTable::OfProcess().slots) {
-    const std::lock_guard lock(slot.mutex);
-    if (slot.controller != nullptr) slot.NoteTime();
-  }
+  NoteTime();
   Look();
   // The handler runs on a thread of the host, which may not be this one.
   if (pending_ != 0 && !disabled_ && !handles_) VirtualTime::OfProcess().WakeFirst();
@@ -123,10 +126,7 @@ void HostInterrupts::Come() {
   quiet_since_ns_ = kUnknown;
   {
     const CallScope scope;
-    for (CardSlot& slot : CardTable::OfProcess().slots) {
-      const std::lock_guard lock(slot.mutex);
-      if (slot.controller != nullptr) slot.NoteTime();
-    }
+    NoteTime();
   }
   for (bool late = true; late;) {
     {

@@ -72,6 +72,12 @@ class HostInterrupts final : public WakeUps {
     bool pending = false;  ///< the handler is to be called
   };
 
+  /// Calls `visit(card, slot, answer)` for each open card whose interrupts the host answers, unless
+  /// another thread uses it. The card is locked.
+  template <typename Visit>
+  void VisitAnswered(const Visit& visit);
+  /// Takes note of the time that has passed for these cards.
+  void NoteTime();
   /// Lets each card go on to its next interrupt that is due; true if the time of one is not over.
   bool Look();
   /// Calls the handlers that are to be called, unless one runs.

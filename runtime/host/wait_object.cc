@@ -67,7 +67,10 @@ WaitObject::End WaitObject::Wait(int64_t duration_ns) {
 WaitObject::End WaitObject::WaitInVirtualTime(int64_t duration_ns) {
   VirtualTime& time = VirtualTime::OfProcess();
   HostInterrupts::OfProcess().Listen();
-  if (duration_ns == 0) LookAtHostTimeNs();
+  if (duration_ns == 0) {
+    const CallScope scope;
+    LookAtHostTimeNs();
+  }
   const int64_t deadline_ns = duration_ns < 0 ? VirtualTime::kNeverNs : time.After(duration_ns);
   for (;;) {
     HostInterrupts::OfProcess().Come();
