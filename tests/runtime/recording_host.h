@@ -29,9 +29,11 @@ class RecordingHost {
     for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
     const gtcalls::Command& command = *controller_.family().catalogue.Find(name);
     Message reason;
-    const int16_t code = controller_.Call(command, arguments, &reason);
-    Write(RecordCall({controller_.NowUs(), 0, vm::kHostCaller, command, arguments, code, reason},
-                     true));
+    // A call may end with a later tick.
+    controller_.AdvanceUs(controller_.family().cost_us(command));
+    const int64_t time_us = controller_.NowUs();
+    const int16_t code = controller_.Execute(command, arguments, &reason);
+    Write(RecordCall({time_us, 0, vm::kHostCaller, command, arguments, code, reason}, true));
   }
   void Download(const std::string& name, const std::string& source) {
     const vm::Object object = CompileForTest(source);

@@ -131,6 +131,27 @@ TEST_F(HostCallsTest, ShowACardForPointToPointMotion) {
   EXPECT_EQ(Result("evaluate", {{"text", "gpo"}})["value"], 0xFFFE);
 }
 
+// 2 pulse/ST are reached after 200 sample times of 0.2 ms, and kept. The request of a time
+// interrupt, which nobody answers, is part of the state that is compared.
+TEST_F(HostCallsTest, ShowACardThatCountsSampleTimes) {
+  runtime::RecordingHost host("GT-400-SG");
+  host.Call("GT_Axis", {2});
+  host.Call("GT_AxisOn", {});
+  host.Call("GT_PrflV", {});
+  host.Call("GT_SetVel", {2});
+  host.Call("GT_SetAcc", {0.01});
+  host.Call("GT_Update", {});
+  host.Call("GT_SetIntrTm", {100});
+  host.Call("GT_TmrIntr", {});
+  host.Wait(50000);
+  host.Close();
+  Load(host.text());
+  EXPECT_EQ(Forward("stop")["state"]["over"], "host-end");
+  EXPECT_EQ(CountParts(Result("card"), "axis"), 4u);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis2.prfVel"}})["value"], 2);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis1.prfVel"}})["value"], 0);
+}
+
 // The line of 500 pulses has not come to its end after 30 ms at 10 pulse/ms.
 TEST_F(HostCallsTest, ShowAPathCard) {
   runtime::RecordingHost host("GE-300-SG");
