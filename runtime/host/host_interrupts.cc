@@ -141,13 +141,12 @@ void HostInterrupts::PassUs(int64_t microseconds) {
   constexpr int64_t kNsPerUs = 1000;
   VirtualTime& time = VirtualTime::OfProcess();
   for (int64_t left_ns = microseconds * kNsPerUs; left_ns > 0;) {
-    int64_t step_ns = left_ns;
     {
       const CallScope scope;
-      step_ns = std::clamp(NextNs() - time.NowNs(), int64_t{1}, left_ns);
+      const int64_t step_ns = std::clamp(NextNs() - time.NowNs(), int64_t{1}, left_ns);
       time.Pass(step_ns);
+      left_ns -= step_ns;
     }
-    left_ns -= step_ns;
     Come();
   }
 }
