@@ -1,5 +1,5 @@
-/* Breakpoints of a GT400 card, at which it updates by itself: axis 1 moves faster from a position on,
-   axis 2 returns as soon as it has arrived. */
+/* Breakpoints of a GT400 card, at which it updates by itself: axis 1 moves faster from a position
+   on, axis 2 returns as soon as it has arrived. */
 #include "GT400.h"
 #include "accepted.h"
 

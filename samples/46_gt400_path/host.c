@@ -1,5 +1,6 @@
-/* Lines and arcs of a GT400 card, in millimetres: a screw of 2000 pulses per millimetre on each axis.
-   A second motor of the X axis is mounted the other way round. Each segment is executed at once. */
+/* Lines and arcs of a GT400 card, in millimetres: a screw of 2000 pulses per millimetre on each
+   axis. A second motor of the X axis is mounted the other way round. Each segment is executed at
+   once. */
 #include "GT400.h"
 #include "accepted.h"
 
