@@ -2,8 +2,6 @@
 // computer. A card is switched on when the host chooses it for the first time, and its time has
 // begun with that of card 0: only cards that a host uses have a log, a record, and a scenario to
 // meet. Tested by tests/families/gt400/gt400_family_test.cc.
-#include "runtime/host/gt400_library.h"
-
 #include <algorithm>
 #include <bitset>
 #include <cstdlib>
@@ -222,8 +220,6 @@ constexpr HostService kServices[] = {
 };
 
 }  // namespace
-
-int OpenGt400Cards() { return Cards().count; }
 
 const HostLibrary& Library() {
   static const HostLibrary kLibrary = {.family = gtcalls::Gt400Family(),
