@@ -3,7 +3,7 @@
 // the real clock it looks at the cards that may interrupt the host by itself (host_interrupts.h).
 //
 // A host knows an object by its handle, which is checked at every use. Thread-safe.
-// Tested by tests/runtime/wait_object_test.cc and tests/tools/windows_events_test.cc.
+// Tested by tests/families/toy_family_test.cc and tests/families/gt400/gt400_family_test.cc.
 #pragma once
 
 #include <atomic>
