@@ -7,7 +7,6 @@
 namespace oncard::gtcalls::ge {
 namespace {
 
-using motion::DiType;
 using motion::DoType;
 
 /// GT_CtrlMode.
