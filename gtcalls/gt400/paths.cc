@@ -64,7 +64,8 @@ uint16_t PathStatusWord(const CardView& card) {
   set(kNoMotionBit, !crd.run.running);
   set(kListClosedBit, !path.list.open);
   set(kPathRefusedBit, card.state<Gt400State>().path_refused);
-  set(kNoSegmentBit, !crd.run.running || !crd.active().executing);
+  // A segment that begins with the next tick counts: a host may ask at once whether it has ended.
+  set(kNoSegmentBit, !crd.run.running || crd.active().idle());
   set(kAxisJumpedBit, path.jumped);
   set(kStopsTogetherBit, !crd.map || crd.map->stops_together);
   set(kImmediateBit, path.immediate);

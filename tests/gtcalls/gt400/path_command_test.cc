@@ -144,8 +144,9 @@ TEST(GtPathStatus, ShowsASingleSegment) {
   card.Do("GT_EndList");
   card.SetRates(1, 0.01);
   card.Do("GT_LnXY", {200, 0});
-  card.Cycle();
   // Moving, closed, a segment runs, immediate, the list is empty.
+  EXPECT_EQ(card.PathStatus(), 0x20C2);
+  card.Cycle();
   EXPECT_EQ(card.PathStatus(), 0x20C2);
   EXPECT_TRUE(card.StatusBit(10));
   card.RunPath();
