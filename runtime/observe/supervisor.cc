@@ -442,7 +442,7 @@ void Supervisor::Happened(const motion::CardEvent& event) {
   if (history_->profiles[event.item].stop) return;
   History::Profile& profile = Present().profiles[event.item];
   profile.stop = event;
-  profile.stopped_us = core().now();
+  profile.stopped_us = controller_.clock().UsOf(controller_.cycle());
 }
 
 void Supervisor::Overran(int number) {

@@ -246,6 +246,18 @@ TEST(Gt400Interrupts, AreTheSameInEveryRun) {
   }
 }
 
+// The limit is active in the cycle from 55 ms on, which ends at 55.2 ms.
+TEST(Gt400Warnings, TellWhatStopsAnAxisInTheTimeOfTheHost) {
+  const ScratchFolder folder;
+  folder.Write("limit.host.toml",
+               "card = \"GT-400-SV\"\n[[world.input]]\ntype = \"limit_positive\"\nindex = 2\n"
+               "value = 1\nat_ms = 55\n");
+  const ProcessResult host = Exec("gt400_events", {"--scenario=limit.host.toml"}, {}, folder);
+  EXPECT_EQ(host.exit_code, 0) << host.err;
+  EXPECT_THAT(host.err, AllOf(HasSubstr("axis 2 reached its positive limit switch"),
+                              HasSubstr("(at 55.2 ms) [axis-stopped]")));
+}
+
 // --- The library ---------------------------------------------------------------------------------
 
 TEST(Gt400Library, IsFoundByItsNameOnWindows) {
