@@ -18,10 +18,11 @@ enum class CardEventKind : uint8_t {
   kAlarm,
   kSmoothStopInput,
   kAbruptStopInput,
-  kFollowingError,  ///< `value`: the error, `bound`: its limit, pulses
-  kEncoderSilent,   ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
-  kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
-  kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
+  kFollowingError,    ///< `value`: the error, `bound`: its limit, pulses; the drive is switched off
+  kBeyondErrorLimit,  ///< the same, but the axis goes on (CardDefaults::following_error_stops)
+  kEncoderSilent,     ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
+  kGantrySkew,        ///< of the master; `value`: the skew, `bound`: its limit, pulses
+  kHeldAtLimit,       ///< of a profile: it would have moved towards a latched limit
   // Of an axis that begins to move while its drive is off; `bound`: coordinate system, from 0.
   kMovedBySegment,
   kMovedByPath,  ///< by GT_BufMove or GT_BufGear

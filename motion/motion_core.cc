@@ -350,7 +350,11 @@ void MotionCore::FailControl(const Control& control, double error) {
   if (!readings().FollowsPlan(index)) return;
   Axis& axis = state_.axes[index];
   const auto limit = static_cast<double>(control.error_limit);
-  if (error > limit) {
+  if (error > limit && !config_.defaults.following_error_stops) {
+    // The error may last as long as the axis moves.
+    const bool known = (axis.latched & kFollowingErrorBit) != 0;
+    if (!known) Tell(CardEventKind::kBeyondErrorLimit, index, error, limit);
+  } else if (error > limit) {
     Tell(CardEventKind::kFollowingError, index, error, limit);
   } else {
     Tell(CardEventKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);

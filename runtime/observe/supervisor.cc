@@ -113,6 +113,7 @@ bool StopsAxis(const motion::MotionCore& core, const motion::CardEvent& event) {
     case CardEventKind::kGantrySkew:
     case CardEventKind::kHeldAtLimit:
       return true;
+    case CardEventKind::kBeyondErrorLimit:
     case CardEventKind::kMovedBySegment:
     case CardEventKind::kMovedByPath:
     case CardEventKind::kTooFast:

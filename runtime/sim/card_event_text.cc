@@ -52,6 +52,10 @@ Message DescribeCardEvent(const motion::CardEvent& event,
           "off",
           "轴 {0} 跟随误差为 {1}，超过 {3} 设定的极限 {2}：关闭伺服使能", item, value, bound,
           commands.following_error_limit);
+    case CardEventKind::kBeyondErrorLimit:
+      return MakeMessage("axis {0} has a following error of {1}, its limit is {2} ({3})",
+                         "轴 {0} 跟随误差为 {1}，超过 {3} 设定的极限 {2}", item, value, bound,
+                         commands.following_error_limit);
     case CardEventKind::kEncoderSilent:
       return MakeMessage(
           "the encoder of axis {0} measures only {1} pulse/ms while the motor is driven, {3} "

@@ -20,7 +20,7 @@ using motion::MotionCore;
 
 /// A card with 1 ms cycles and its log lines.
 struct TalkingCard {
-  TalkingCard() {
+  explicit TalkingCard(bool errors_stop = true) : core(ConfigOf(errors_stop)) {
     core.Observe([this](const motion::CardEvent& event) {
       const Message message = DescribeCardEvent(event, gtcalls::GtsFamily().advised);
       EXPECT_EQ(message.zh.empty(), message.en.empty());
@@ -56,7 +56,15 @@ struct TalkingCard {
     return core.CrdAt(0).Append(0, slot);
   }
 
-  MotionCore core{{.axis_count = 8, .cycle_us = 1000}};
+  static motion::MotionConfig ConfigOf(bool errors_stop) {
+    motion::MotionConfig config;
+    config.axis_count = 8;
+    config.cycle_us = 1000;
+    config.defaults.following_error_stops = errors_stop;
+    return config;
+  }
+
+  MotionCore core;
   std::vector<std::string> said;
 };
 
@@ -120,6 +128,17 @@ TEST(CardEvent, AFollowingErrorAndASkew) {
   gantry.Ticks(5);
   EXPECT_EQ(gantry.said, (Lines{"the gantry of axis 1 has a skew of -500, its limit is 20 "
                                 "(GT_SetGantryErrLmt): both drives are switched off"}));
+}
+
+TEST(CardEvent, AFollowingErrorThatStopsNothingIsToldOnce) {
+  TalkingCard card(/*errors_stop=*/false);
+  card.core.ControlAt(0).SetErrorLimit(25);
+  ChangeState(card.core).plants[0].stalled = true;
+  card.Jog(0, 1000);
+  card.Ticks(5);
+  const std::string line = "axis 1 has a following error of 500, its limit is 25 (GT_SetPosErr)";
+  EXPECT_EQ(card.said, Lines{line});
+  EXPECT_TRUE(card.core.axis(0).servo_on);
 }
 
 TEST(CardEvent, ASlaveThatIsHeld) {
