@@ -11,6 +11,7 @@
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/interrupts.h"
 #include "gtcalls/gt400/limits.h"
+#include "gtcalls/gt400/paths.h"
 #include "gtcalls/gt400/rows.h"
 #include "gtcalls/gt400/status_word.h"
 #include "gtcalls/gt400/unsupported.h"
@@ -103,6 +104,7 @@ const Family& Gt400Family() {
       .finish =
           [](Call& call, int16_t code) {
             NoticeCommand(call.card);
+            NoticeRun(call.card);
             return WriteCommandRegister(call, code);
           },
       .card_types = gt400::kCardTypes,

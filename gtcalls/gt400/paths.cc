@@ -159,11 +159,15 @@ void EndRun(Card& card) {
   if (begun && !at_start && !list.interruption) path.break_point = crd.position;
 }
 
+}  // namespace
+
 void NoticeRun(Card& card) {
   Path& path = PathIn(card);
   if (path.runs && !PathRuns(card.view())) EndRun(card);
   path.runs = PathRuns(card.view());
 }
+
+namespace {
 
 /// A run has begun.
 void BeginRun(Card& card) {

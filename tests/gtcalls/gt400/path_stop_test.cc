@@ -60,6 +60,19 @@ TEST(GtAutoStop, OfAnyAxisStopsThePathAtOnce) {
   }
 }
 
+TEST(GtAutoStop, IsSeenDirectlyAfterTheCommandThatCausesIt) {
+  for (const char* name : {"GT_AbptStp", "GT_AxisOff"}) {
+    PathTestCard card;
+    card.SetRates(2, 0.01);
+    card.Do("GT_LnXY", {3000, 3000});
+    card.Run(500);
+    card.Do(name);
+    EXPECT_EQ(card.PathBit(0), card.PathBit(9)) << name;
+    card.Cycle();
+    EXPECT_EQ(card.PathStatus() & 0x201, 0x201) << name;
+  }
+}
+
 TEST(GtAutoStop, SwitchedOffLeavesTheAxisAlone) {
   for (const Cause& cause : kCauses) {
     SCOPED_TRACE(cause.name);
