@@ -172,7 +172,7 @@ int16_t UnhookHandler(ServiceCall& call) {
 int16_t SetSyncEvent(ServiceCall& call) {
   const void* const handle = call.arguments[0].host;
   const bool removes = call.arguments[0].null;
-  auto event = removes ? nullptr : FindObject(handle);
+  auto event = removes ? nullptr : FindEvent(handle);
   if (!removes && event == nullptr) {
     return call.Refuse(LibraryFamily().not_open,
                        {"the handle is not one that CreateEvent has returned and that is open",

@@ -46,7 +46,8 @@ int oncard_host_getch(void);
 /** A new object for which threads can wait: its handle. It is set, or not. With `automatic` one
    wait that ends because it is set resets it. */
 void* oncard_host_event_new(int automatic, int is_set);
-/** Sets or resets the object; 0 if there is no such handle, otherwise 1. */
+/** Sets or resets the object; 0 if there is no such handle, or it is that of a thread, otherwise
+    1. */
 int oncard_host_event_set(void* handle, int is_set);
 /** Waits until the object is set, at most this long; a negative duration means for ever. 1: it is
     set, 0: the time has passed, -1: there is no such handle, or nobody can set it any more. */

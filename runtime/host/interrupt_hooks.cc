@@ -1,5 +1,6 @@
 // The functions of host_hooks.h for hosts whose cards interrupt them: events and threads of
-// Windows, and the lock of interrupts of DOS. Tested by tests/tools/windows_events_test.cc.
+// Windows, and the lock of interrupts of DOS. Tested by tests/families/toy_family_test.cc and
+// tests/families/gt400/gt400_family_test.cc.
 #include <pthread.h>
 
 #include <atomic>
@@ -20,13 +21,15 @@ using oncard::runtime::WaitObject;
 ONCARD_EXPORT void* oncard_host_event_new(int automatic, int is_set) {
   const CallScope scope;
   if (CallScope::Interrupts()) return nullptr;
-  return oncard::runtime::OpenHandle(std::make_shared<WaitObject>(automatic != 0, is_set != 0));
+  const auto kind =
+      automatic != 0 ? WaitObject::Kind::kAutomaticEvent : WaitObject::Kind::kManualEvent;
+  return oncard::runtime::OpenHandle(std::make_shared<WaitObject>(kind, is_set != 0));
 }
 
 ONCARD_EXPORT int oncard_host_event_set(void* handle, int is_set) {
   const CallScope scope;
   if (CallScope::Interrupts()) return 0;
-  const auto object = oncard::runtime::FindObject(handle);
+  const auto object = oncard::runtime::FindEvent(handle);
   if (object == nullptr) return 0;
   if (is_set != 0) {
     object->Set();
@@ -95,7 +98,7 @@ ONCARD_EXPORT void* oncard_host_thread_new(unsigned long (*function)(void*), voi
   static std::atomic<unsigned long> threads = 0;
   const CallScope scope;
   if (CallScope::Interrupts()) return nullptr;
-  const auto ended = std::make_shared<WaitObject>(false, false);
+  const auto ended = std::make_shared<WaitObject>(WaitObject::Kind::kThread, false);
   auto thread = std::make_unique<HostThread>(HostThread{function, argument, ended});
   pthread_t started{};
   if (::pthread_create(&started, nullptr, RunThread, thread.get()) != 0) return nullptr;

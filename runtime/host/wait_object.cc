@@ -38,7 +38,7 @@ void ReportHopelessWait() {
 bool WaitObject::Take() {
   const std::lock_guard lock(mutex_);
   if (!is_set_) return false;
-  is_set_ = !automatic_;
+  is_set_ = kind_ != Kind::kAutomaticEvent;
   return true;
 }
 
@@ -49,7 +49,7 @@ void WaitObject::Set() {
     ++changes_;
   }
   if (HostTimeIsVirtual()) {
-    VirtualTime::OfProcess().Wake(changes_, !automatic_);
+    VirtualTime::OfProcess().Wake(changes_, kind_ != Kind::kAutomaticEvent);
   } else {
     ::syscall(SYS_futex, &changes_, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
   }
@@ -133,6 +133,11 @@ std::shared_ptr<WaitObject> FindObject(const void* handle) {
   const std::lock_guard lock(handles.mutex);
   const auto found = handles.objects.find(handle);
   return found == handles.objects.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<WaitObject> FindEvent(const void* handle) {
+  auto object = FindObject(handle);
+  return object != nullptr && object->is_event() ? object : nullptr;
 }
 
 bool CloseHandle(const void* handle) {

@@ -15,15 +15,20 @@ namespace oncard::runtime {
 
 class WaitObject {
  public:
+  enum class Kind : uint8_t {
+    kManualEvent,     ///< stays set until it is reset
+    kAutomaticEvent,  ///< one wait that ends because it is set resets it
+    kThread           ///< is set when the thread ends
+  };
   /// How a wait has ended.
   enum class End : uint8_t { kSet, kTimeOut, kFailed };
 
-  /// `automatic`: one wait that ends because it is set resets it.
-  WaitObject(bool automatic, bool is_set) : automatic_(automatic), is_set_(is_set) {}
+  WaitObject(Kind kind, bool is_set) : kind_(kind), is_set_(is_set) {}
   WaitObject(const WaitObject&) = delete;
   WaitObject& operator=(const WaitObject&) = delete;
 
-  /// Sets it, and wakes those who wait: if it is automatic one of them, else all.
+  bool is_event() const { return kind_ != Kind::kThread; }
+  /// Sets it, and wakes those who wait: if it is an automatic event one of them, else all.
   void Set();
   void Reset();
   /// Waits until it is set, at most this long; a negative duration means for ever. A duration of 0
@@ -37,7 +42,7 @@ class WaitObject {
   End WaitInRealTime(int64_t duration_ns);
 
   std::mutex mutex_;  // guards is_set_
-  const bool automatic_;
+  const Kind kind_;
   bool is_set_;
   std::atomic<int> changes_ = 0;  // a futex
 };
@@ -46,6 +51,8 @@ class WaitObject {
 void* OpenHandle(std::shared_ptr<WaitObject> object);
 /// nullptr if there is no such handle.
 std::shared_ptr<WaitObject> FindObject(const void* handle);
+/// The same, also for the handle of a thread.
+std::shared_ptr<WaitObject> FindEvent(const void* handle);
 /// False if there is no such handle.
 bool CloseHandle(const void* handle);
 

@@ -64,6 +64,7 @@ int main(void) {
   interrupted = CreateEvent(NULL, TRUE, FALSE, NULL);
   printf("event: %d\n", GT_SetIntSyncEvent(interrupted));
   thread = CreateThread(NULL, 0, Work, NULL, 0, &id);
+  printf("a thread: %d, %d\n", GT_SetIntSyncEvent(thread), SetEvent(thread));
   GT_SetIntrTm(100);
   GT_TmrIntr();
   Sleep(50);

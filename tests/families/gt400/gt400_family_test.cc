@@ -219,6 +219,7 @@ TEST(Gt400Interrupts, SetAnEventForWhichAThreadWaits) {
   EXPECT_EQ(host.out,
             "no event: -1\n"
             "event: 0\n"
+            "a thread: -1, 0\n"
             "1: 0x0000 at 100\n"
             "2: 0x0000 at 200\n"
             "too short: -1\n"

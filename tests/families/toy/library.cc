@@ -45,7 +45,7 @@ int16_t OnInterrupt(ServiceCall& call) {
 
 int16_t SetEvent(ServiceCall& call) {
   HostInterrupts::OfProcess().Answer(
-      call.card(), {.handler = nullptr, .event = FindObject(call.arguments[0].host)});
+      call.card(), {.handler = nullptr, .event = FindEvent(call.arguments[0].host)});
   return vm::kOk;
 }
 
