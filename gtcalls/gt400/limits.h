@@ -7,6 +7,8 @@
 
 namespace oncard::gtcalls::gt400 {
 
+/// Cards of a computer, which are numbered from 0.
+inline constexpr int kCardMax = 16;
 /// Axes are numbered from 1. All cards have as many.
 inline constexpr int kAxisMax = 4;
 /// Masters of gears: the axes, then the auxiliary encoders.

@@ -21,6 +21,8 @@
 namespace oncard::runtime {
 namespace {
 
+static_assert(kCardCount == gtcalls::gt400::kCardMax);
+
 /// The base address of the card of a computer with ISA cards.
 constexpr uint16_t kIsaAddress = 0x300;
 

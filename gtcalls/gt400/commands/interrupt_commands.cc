@@ -94,6 +94,12 @@ int16_t GT_AxisI(Call& call) {
 
 /// Event interrupts need GT_RstIntr.
 int16_t GT_ClearInt(Call& call) {
+  const auto card = static_cast<int>(call.integer(0));
+  if (card >= kCardMax) {
+    return call.Refuse(kDriverRefuses,
+                       MakeMessage("there is no card {}; the range is [0, {}]",
+                                   "没有 {} 号卡；取值范围为 [0, {}]", card, kCardMax - 1));
+  }
   InterruptUnit& unit = UnitOf(call);
   if (unit.service == InterruptKind::kTime) unit.service = InterruptKind::kNone;
   return vm::kOk;

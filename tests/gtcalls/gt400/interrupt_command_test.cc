@@ -167,6 +167,16 @@ TEST(Gt400Interrupt, ClrStsDoesNotEndTheService) {
   EXPECT_EQ(card.Read("GT_GetIntr"), 0x0B01);
 }
 
+TEST(Gt400Interrupt, ClearIntNamesOneOf16Cards) {
+  InterruptedCard card;
+  card.Do("GT_ClearInt", {15});
+  for (const double number : {16.0, 65535.0}) {
+    const uint64_t before = card.Hash();
+    EXPECT_EQ(card.Call("GT_ClearInt", {number}), -1) << number;
+    EXPECT_EQ(card.Hash(), before) << number;
+  }
+}
+
 TEST(Gt400Interrupt, WithoutServiceThereIsNoAxisThatInterrupts) {
   InterruptedCard card;
   card.Enable(2);
