@@ -139,6 +139,16 @@ TEST(GtList, NeedsItsStartPointFirst) {
   card.Do("GT_LnXY", {1, 1});
 }
 
+TEST(GtList, TakesItsStartPointAlsoWhenItIsOpenedAgain) {
+  PathTestCard card;
+  card.Do("GT_StrtList");
+  card.Do("GT_EndList");
+  card.Refuses(kListOrder, "GT_MvXY", {0, 0, 1, 1});
+  card.Do("GT_AddList");
+  card.Do("GT_MvXY", {0, 0, 1, 1});
+  card.Do("GT_LnXY", {1, 1});
+}
+
 TEST(GtList, RefusesFiguresOfItsStartPoint) {
   PathTestCard card;
   card.Do("GT_StrtList");

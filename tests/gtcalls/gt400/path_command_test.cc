@@ -201,6 +201,13 @@ TEST(GtAccLmt, MustBeAboveZero) {
   card.Do("GT_SetAccLmt", {16384});
 }
 
+TEST(GtAccLmt, IsRefusedAsAPathCommand) {
+  PathTestCard card;
+  card.Refuses(kIllegal, "GT_SetAccLmt", {0});
+  EXPECT_TRUE(card.PathBit(3));
+  EXPECT_FALSE(card.StatusBit(kBitRefused));
+}
+
 // --- Velocity and acceleration -------------------------------------------------------------------
 
 TEST(GtSynRates, AreAboveZeroAndAtMost16384) {
