@@ -21,4 +21,10 @@ void ReverseEncoders(uint32_t sense, size_t first, size_t count, motion::MotionC
   }
 }
 
+void ChooseHomeEdges(uint32_t sense, motion::MotionCore& core) {
+  for (size_t axis = 0; axis < core.axis_count(); ++axis) {
+    core.capture().SetSense(axis, motion::CaptureSource::kHome, (sense >> axis & 1) != 0);
+  }
+}
+
 }  // namespace oncard::gtcalls

@@ -1,6 +1,7 @@
 // Captures of the actual position, one for each axis. Source: GE manual chapters 7 and 12. Tested
 // by tests/gtcalls/ge/capture_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/shared/senses.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::ge {
@@ -29,10 +30,7 @@ int16_t Arm(Call& call, CaptureSource source) {
 }  // namespace
 
 int16_t GT_HomeSns(Call& call) {
-  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-    const bool rising = (call.integer(0) >> axis & 1) != 0;
-    call.card.motion.capture().SetSense(axis, CaptureSource::kHome, rising);
-  }
+  ChooseHomeEdges(static_cast<uint32_t>(call.integer(0)), call.card.motion);
   return vm::kOk;
 }
 

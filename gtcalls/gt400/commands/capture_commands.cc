@@ -3,6 +3,7 @@
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/homing.h"
+#include "gtcalls/shared/senses.h"
 #include "motion/common/rounding.h"
 
 namespace oncard::gtcalls::gt400 {
@@ -35,10 +36,7 @@ int16_t Arm(Call& call, CaptureSource source, CommandCause busy) {
 // --- Captures --------------------------------------------------------------------------------
 
 int16_t GT_HomeSns(Call& call) {
-  for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-    const bool rising = (call.integer(0) >> axis & 1) != 0;
-    call.card.motion.capture().SetSense(axis, CaptureSource::kHome, rising);
-  }
+  ChooseHomeEdges(static_cast<uint32_t>(call.integer(0)), call.card.motion);
   return vm::kOk;
 }
 
