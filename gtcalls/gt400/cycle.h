@@ -1,4 +1,5 @@
-// The part of the family in a cycle of the card (Family::after_tick).
+// The part of the family in a cycle of the card (Family::after_tick). Tested by
+// tests/gtcalls/gt400/stop_test.cc, update_command_test.cc and breakpoint_command_test.cc.
 #pragma once
 
 #include <cstdint>

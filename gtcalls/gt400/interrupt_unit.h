@@ -1,5 +1,6 @@
 // The interrupt unit of a GT400 card: which events of which axes interrupt the host, or how often
-// time does, and the interrupt that is in service. Source: GT manual chapter 8.
+// time does, and the interrupt that is in service. Source: GT manual chapter 8. Tested by
+// tests/gtcalls/gt400/interrupt_command_test.cc.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Digital inputs and outputs as commands of several families read and write them: whole words of
-// levels, whatever the senses of the inputs are. Tested by tests/gtcalls/ge/io_command_test.cc and
-// sx_io_command_test.cc.
+// levels, whatever the senses of the inputs are. Tested by tests/gtcalls/ge/io_command_test.cc,
+// sx_io_command_test.cc and tests/gtcalls/gt400/io_command_test.cc.
 #pragma once
 
 #include <cstdint>
