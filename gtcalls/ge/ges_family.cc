@@ -1,8 +1,6 @@
 #include "gtcalls/ge/ges_family.h"
 
-#include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "gtcalls/ge/command_register.h"
 #include "gtcalls/ge/commands/path_support.h"

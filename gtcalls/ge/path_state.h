@@ -3,7 +3,6 @@
 // manual chapter 6. Tested by tests/gtcalls/ge/path_command_test.cc and list_command_test.cc.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

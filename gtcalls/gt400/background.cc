@@ -1,8 +1,6 @@
 #include "gtcalls/gt400/background.h"
 
-#include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "gtcalls/gt400/catalogue.h"

@@ -1,7 +1,6 @@
 #include "gtcalls/gt400/cycle.h"
 
 #include "gtcalls/gt400/breakpoints.h"
-#include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/homing.h"
 #include "gtcalls/gt400/interrupts.h"
 #include "gtcalls/gt400/paths.h"

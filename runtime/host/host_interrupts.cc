@@ -5,7 +5,6 @@
 
 #include "runtime/host/call_scope.h"
 #include "runtime/host/card_table.h"
-#include "runtime/host/host_time.h"
 #include "runtime/host/library.h"
 
 namespace oncard::runtime {

@@ -4,10 +4,8 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 
 #include "base/message.h"
 #include "runtime/host/call_scope.h"

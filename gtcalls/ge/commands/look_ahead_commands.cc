@@ -2,7 +2,6 @@
 // calculation of velocities only. Source: GE manual 6.4, 6.5 and chapter 12; public header. Tested
 // by tests/gtcalls/ge/look_ahead_command_test.cc.
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <utility>
 

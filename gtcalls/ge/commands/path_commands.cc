@@ -1,8 +1,6 @@
 // Paths: their parameters, lines and arcs, status and positions. With the list open a segment is
 // appended to it, otherwise it is executed at once. Source: GE manual chapters 4.5, 6 and 12.
 // Tested by tests/gtcalls/ge/path_command_test.cc.
-#include <limits>
-
 #include "gtcalls/ge/commands/path_support.h"
 #include "gtcalls/ge/status_words.h"
 #include "gtcalls/shared/segment_request.h"

@@ -1,6 +1,5 @@
 #include "gtcalls/ge/commands/path_support.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace oncard::gtcalls::ges {
