@@ -1,11 +1,12 @@
-/* The functions of libgts besides the commands: time and keys of the host program, for the preload
-   library of `oncard exec` and for the headers of compat/. With ONCARD_CLOCK=virtual they use the
-   virtual time of the process (virtual_time.h), otherwise the wall clock.
+/* The functions of host libraries besides the commands: time and keys of the host program, for the
+   preload library of `oncard exec` and for the headers of compat/. With ONCARD_CLOCK=virtual they
+   use the virtual time of the process (virtual_time.h), otherwise the wall clock.
 
    All but oncard_host_getch may be called in a handler of a signal.
 
    In C, so that both sides can include it and dlsym() finds the names.
-   Tested by tests/tools/exec_command_test.cc. */
+   Tested by tests/tools/exec_command_test.cc, those for interrupts by
+   tests/families/toy_family_test.cc and tests/families/gt400/gt400_family_test.cc. */
 #ifndef ONCARD_RUNTIME_HOST_HOOKS_H_
 #define ONCARD_RUNTIME_HOST_HOOKS_H_
 
