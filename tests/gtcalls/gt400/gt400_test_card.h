@@ -1,20 +1,16 @@
-// A GT400 card for command tests: machine, motion core and the family's state combined as in the
-// runtime, and calls of commands by name.
+// A GT400 card for command tests.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "gtcalls/card.h"
-#include "gtcalls/card_type.h"
 #include "gtcalls/gt400/command_register.h"
 #include "gtcalls/gt400/status_word.h"
 #include "motion/common/state_hash.h"
+#include "tests/gtcalls/family_test_card.h"
 #include "tests/motion/change_state.h"
 
 namespace oncard::gtcalls::gt400 {
@@ -32,57 +28,13 @@ enum StatusBitNumber {
   kBitIndexArmed = 15,
 };
 
-class Gt400TestCard {
+class Gt400TestCard : public FamilyTestCard {
  public:
   /// One of the types in card_types.def.
-  explicit Gt400TestCard(std::string_view name = "GT-400-SV")
-      : family(*FindCard(name)->family),
-        motion(ConfigOf(name)),
-        commands(&card),
-        machine(&commands) {}
-  Gt400TestCard(const Gt400TestCard&) = delete;
-  Gt400TestCard& operator=(const Gt400TestCard&) = delete;
+  explicit Gt400TestCard(std::string_view name = "GT-400-SV") : FamilyTestCard(name) {}
 
-  /// A command that waits for the next tick gets it.
-  int16_t Call(std::string_view name, const std::vector<double>& values = {},
-               std::vector<double>* cells = nullptr) {
-    const Command& command = *family.catalogue.Find(name);
-    std::vector<vm::CommandArgument> packed(command.parameters.size());
-    size_t next = 0;
-    for (size_t i = 0; i < packed.size(); ++i) {
-      if (command.parameters[i].passing == Passing::kValue) {
-        packed[i].value = values.at(next++);
-      } else if (cells != nullptr) {
-        packed[i].cells = *cells;
-      } else {
-        packed[i].null = true;
-      }
-    }
-    gtcalls::Call call{command, card, vm::kHostCaller, packed, {}};
-    int16_t code = ExecuteCommand(call);
-    while (call.waits) {
-      Cycle();
-      code = ResumeCommand(call);
-    }
-    reason = call.reason;
-    // A command that succeeds may have a remark.
-    EXPECT_TRUE(code == 0 || !reason.en.empty()) << name << " gave " << code;
-    EXPECT_EQ(reason.en.empty(), reason.zh.empty()) << name;
-    return code;
-  }
-  /// Calls a command that must succeed.
-  void Do(std::string_view name, const std::vector<double>& values = {}) {
-    EXPECT_EQ(Call(name, values), 0) << name << ": " << reason.en;
-  }
-  /// The only output of a command.
-  double Read(std::string_view name, const std::vector<double>& values = {}) {
-    std::vector<double> cell = {-12345};
-    EXPECT_EQ(Call(name, values, &cell), 0) << name << ": " << reason.en;
-    return cell[0];
-  }
   uint32_t Status() { return static_cast<uint32_t>(Read("GT_GetSts")); }
   bool StatusBit(int bit) { return (Status() >> bit & 1) != 0; }
-  uint16_t Cause() { return static_cast<uint16_t>(Read("GT_GetCmdSts")); }
 
   /// A command that is refused with 1 and a cause, and changes no motion.
   void Refuses(CommandCause cause, std::string_view name, const std::vector<double>& values = {}) {
@@ -100,11 +52,7 @@ class Gt400TestCard {
     EXPECT_EQ(Hash(), before) << name << " was refused and changed something";
   }
 
-  /// One sample time.
-  void Cycle() {
-    motion.Tick();
-    card.family.after_tick(card);
-  }
+  /// Sample times.
   void Run(int cycles) {
     for (int i = 0; i < cycles; ++i) Cycle();
   }
@@ -138,22 +86,6 @@ class Gt400TestCard {
   Gt400State& state() const { return card.state<Gt400State>(); }
   uint64_t Hash() const {
     return motion::StateHash().Add(motion.state()).Add(card.state<Gt400State>()).value();
-  }
-
-  const Family& family;
-  motion::MotionCore motion;
-  FamilyState family_state = family.new_state();
-  CardCommands commands;
-  vm::Machine machine;
-  Card card{family, machine, motion, family_state};
-  Message reason;
-
- private:
-  static motion::MotionConfig ConfigOf(std::string_view name) {
-    const auto named = FindCard(name);
-    motion::MotionConfig config;
-    config.axis_count = named->type->axis_count;
-    return named->family->Configured(config, named->type);
   }
 };
 
