@@ -103,8 +103,8 @@ const Family& Gt400Family() {
                   .start_path = "GT_StrtMtn"},
       .finish =
           [](Call& call, int16_t code) {
+            NoticePathStop(call.card);
             NoticeCommand(call.card);
-            NoticeRun(call.card);
             return WriteCommandRegister(call, code);
           },
       .card_types = gt400::kCardTypes,

@@ -159,15 +159,11 @@ void EndRun(Card& card) {
   if (begun && !at_start && !list.interruption) path.break_point = crd.position;
 }
 
-}  // namespace
-
 void NoticeRun(Card& card) {
   Path& path = PathIn(card);
   if (path.runs && !PathRuns(card.view())) EndRun(card);
   path.runs = PathRuns(card.view());
 }
-
-namespace {
 
 /// A run has begun.
 void BeginRun(Card& card) {
@@ -222,6 +218,12 @@ void StopPath(Card& card, bool at_once) {
       driver.Stop(false);
     }
   }
+  NoticeRun(card);
+  NoticeAxes(card);
+}
+
+void NoticePathStop(Card& card) {
+  if (!PathIn(card).runs || PathRuns(card.view())) return;
   NoticeRun(card);
   NoticeAxes(card);
 }

@@ -32,8 +32,9 @@ void StartList(Card& card);
 void CloseList(Card& card);
 /// Stops what runs, at once or along the path, and closes the list.
 void StopPath(Card& card, bool at_once);
-/// To be called when a run may have ended: with the drive of an axis, or with an abrupt stop.
-void NoticeRun(Card& card);
+/// To be called after a command, which may have stopped the path by what it did with an axis. The
+/// end is one of all axes that followed.
+void NoticePathStop(Card& card);
 /// In the tick: axes stop the path; it may have ended.
 void AdvancePath(Card& card);
 

@@ -46,12 +46,20 @@ TEST(GtAutoStop, OfAnyAxisStopsThePathAtOnce) {
     card.Do("GT_LnXY", {3000, 3000});
     card.Do("GT_StrtMtn");
     card.Run(500);
+    for (int axis = 1; axis <= kAxisMax; ++axis) {
+      card.Do("GT_Axis", {static_cast<double>(axis)});
+      card.Do("GT_ClrSts");
+    }
     cause.act(card);
     card.Cycle();
     // Stopped by an axis, at rest, closed; the segment is kept.
     EXPECT_EQ(card.PathStatus() & 0x2203, 0x0203);
     EXPECT_EQ(card.Velocity(), 0);
-    EXPECT_FALSE(card.motion.profile(0).now.moving);
+    for (int axis = 1; axis <= kAxisMax; ++axis) {
+      card.Do("GT_Axis", {static_cast<double>(axis)});
+      EXPECT_FALSE(card.StatusBit(10)) << axis;
+      EXPECT_TRUE(card.StatusBit(0)) << axis;
+    }
     EXPECT_EQ(card.Point("GT_GetBrkPnt"), card.Point());
     EXPECT_GT(card.Planned(1), 100);
     EXPECT_LT(card.Planned(1), 1000);
