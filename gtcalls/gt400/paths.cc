@@ -149,7 +149,11 @@ void EndRun(Card& card) {
   const bool finished = crd.active().idle() && !(is_list && path.list.open);
   // A single segment has no break point.
   if (!is_list) DriverOf(card).Clear(kSingleFifo);
-  if (finished) return;
+  if (finished) {
+    // A list that waited for more, or one that has ended while it stopped.
+    if (is_list && path.commanded) path.break_point = crd.position;
+    return;
+  }
   CloseList(card);
   path.held = path.held || !path.commanded;
   if (!is_list || list.idle()) return;

@@ -332,6 +332,22 @@ TEST(GtStopMotion, KeepsTheBreakPointFromWhichItGoesOn) {
   EXPECT_EQ(card.Number(), 0);
 }
 
+TEST(GtStopMotion, KeepsWhereAListWaitedForMore) {
+  for (const char* stop : {"GT_StpMtn", "GT_EStpMtn"}) {
+    SCOPED_TRACE(stop);
+    PathTestCard card;
+    card.MakeList({200}, 2, 0.01);
+    card.Do("GT_AddList");
+    card.Do("GT_StrtMtn");
+    card.Run(600);
+    EXPECT_FALSE(card.PathBit(0));
+    card.Do(stop);
+    EXPECT_TRUE(card.PathBit(0));
+    EXPECT_EQ(card.Point("GT_GetBrkPnt"), (std::vector<double>{200, 0, 0, 0}));
+    EXPECT_EQ(card.Number(), 1);
+  }
+}
+
 TEST(GtStopMotion, AtOnceNeedsNoWay) {
   PathTestCard card;
   card.MakeList({4000}, 2, 0.01);
