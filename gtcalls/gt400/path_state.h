@@ -50,13 +50,15 @@ struct Path {
   // The present run, or the last one.
   bool runs = false;       ///< it had not ended when the card was looked at last
   bool commanded = false;  ///< a command of the host has stopped it
-  // Of the axes, as the last tick has left them.
+  // As the last tick has left them.
+  int32_t done = 0;  ///< the segments of the run that had ended
+  // Of the axes.
   std::array<double, kAxisMax> velocities{};
   std::array<uint8_t, kAxisMax> limits{};  ///< the events of limits
 
   auto Fields() const {
     return std::tie(velocity, acceleration, list, break_point, immediate, jumped, held, runs,
-                    commanded, velocities, limits);
+                    commanded, done, velocities, limits);
   }
 };
 

@@ -113,18 +113,24 @@ void StopInTick(Card& card) {
   }
 }
 
-/// Judges by how much the velocities of axes have changed in the tick. Assumption: what the path's
-/// own acceleration adds to a jump is allowed.
+/// Rounding makes no alarm of an acceleration that is exactly the limit.
+constexpr double kJumpTolerance = 1 + 0x1p-20;
+
+/// Judges by how much the velocities of axes have changed in the tick. Assumption: where segments
+/// meet, what the path's own acceleration adds to a jump is allowed.
 void JudgeJumps(Card& card) {
   Path& path = PathIn(card);
   const Crd& crd = CrdOf(card.view());
+  const bool passed_joint = crd.active().done != path.done;
+  path.done = crd.active().done;
+  const double acceleration = passed_joint ? crd.active().current.acceleration : 0;
   for (size_t axis = 0; axis < kAxisMax; ++axis) {
     const double velocity = crd.map->Has(axis) ? card.motion.profile(axis).now.velocity : 0;
     const double change = std::fabs(velocity - path.velocities[axis]);
     path.velocities[axis] = velocity;
     const double scale =
         motion::LengthIn(motion::kAllCoordinates, crd.map->rows[axis].coefficients);
-    const double allowed = crd.map->jumps[axis] + scale * crd.active().current.acceleration;
+    const double allowed = crd.map->jumps[axis] * kJumpTolerance + scale * acceleration;
     if (crd.run.running && change > allowed) path.jumped = true;
   }
 }

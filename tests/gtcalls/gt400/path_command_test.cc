@@ -180,6 +180,21 @@ TEST(GtPathStatus, NotesAnAxisThatJumpsByMoreThanItsLimit) {
   }
 }
 
+// On a line along x axis 1 accelerates as the path does.
+TEST(GtPathStatus, NotesAnAccelerationAboveTheLimitAlsoWithinASegment) {
+  for (const double limit : {0.0101, 0.009, 0.001}) {
+    PathTestCard card;
+    card.SetRates(2, 0.01);
+    card.Do("GT_SetAccLmt", {limit});
+    card.Do("GT_LnXY", {1000, 0});
+    card.RunPath();
+    EXPECT_EQ(card.PathBit(5), limit < 0.01) << limit;
+    card.Do("GT_LnXYZ", {1000, 0, 500});
+    card.RunPath();
+    EXPECT_FALSE(card.PathBit(5)) << "axis 1 rests";
+  }
+}
+
 // --- Limits of jumps -----------------------------------------------------------------------------
 
 TEST(GtAccLmt, IsOneOfTheCurrentAxis) {
