@@ -40,12 +40,14 @@ Vector Cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Completes an arc for which centre, unit vectors, radii, sweep and linear travel are set.
+/// Completes an arc for which centre, unit vectors, radii, sweep and linear travel are set. Empty
+/// if a double cannot tell its length from 0.
 std::optional<Segment> Complete(Segment arc) {
   arc.shape = SegmentShape::kArc;
   const double mean = arc.radius + arc.radius_change / 2;
   const double along = LengthOf(arc.travel);
   arc.length = std::sqrt(mean * mean * arc.sweep * arc.sweep + along * along);
+  if (!(arc.length > 0)) return std::nullopt;
   return arc;
 }
 

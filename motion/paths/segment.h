@@ -78,7 +78,7 @@ std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coord
                                            double tolerance = kArcTolerance);
 
 /// An arc around start + (first, second) in its plane that sweeps an angle in (0, 2 pi], which
-/// gives its end. Empty when the radius is 0.
+/// gives its end. Empty when the radius is 0, or the arc too short for a double.
 std::optional<Segment> MakeArcWithSweep(const Coordinates& start, ArcPlane plane, double first,
                                         double second, double sweep, bool counter_clockwise);
 

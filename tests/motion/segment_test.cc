@@ -91,6 +91,11 @@ TEST(Segment, ArcsOfASweepEndWhereItLeads) {
   EXPECT_FALSE(MakeArcWithSweep({1, 1}, kXyPlane, 0, 0, 1, true).has_value());
 }
 
+TEST(Segment, AnArcWhoseLengthADoubleCannotTellFromZeroIsNone) {
+  EXPECT_FALSE(MakeArcWithSweep({10, 10}, kXyPlane, -1000, 0, 1e-300, true));
+  EXPECT_TRUE(MakeArcWithSweep({10, 10}, kXyPlane, -1000, 0, 1e-100, true));
+}
+
 TEST(Segment, PlanesAreTakenInCyclicOrder) {
   // A quarter circle counter-clockwise from the first axis of the plane to the second.
   for (const ArcPlane& plane : {kXyPlane, kYzPlane, kZxPlane}) {
