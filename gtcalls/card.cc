@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -61,8 +62,11 @@ Bounds BoundsOf(Scalar type, Unit unit) {
 int16_t CheckValue(Call& call, size_t index) {
   const Parameter& parameter = call.command.parameters[index];
   const double value = call.value(index);
-  // Written so that the check fails for a NaN.
-  if (!(value >= parameter.minimum && value <= parameter.maximum)) {
+  if (std::isnan(value)) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("parameter {0} is not a number",
+                                                      "参数 {0} 不是数值", parameter.name));
+  }
+  if (value < parameter.minimum || value > parameter.maximum) {
     return call.Refuse(
         vm::kBadParameter,
         MakeMessage("parameter {0} is {1}; the range is {2}", "参数 {0} 为 {1}；取值范围为 {2}",
@@ -82,7 +86,7 @@ int16_t CheckValue(Call& call, size_t index) {
                                    SpellEncoders(call.card.motion)));
   }
   const Bounds type = BoundsOf(parameter.type, parameter.unit);
-  if (!(value >= type.minimum && value <= type.maximum)) {
+  if (value < type.minimum || value > type.maximum) {
     return call.Refuse(
         vm::kBadParameter,
         MakeMessage("parameter {0} is {1}; its type {2} holds {3} to {4}",

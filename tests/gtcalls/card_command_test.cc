@@ -220,6 +220,18 @@ TEST(CardCommands, TheReasonNamesParameterValueAndRange) {
   EXPECT_EQ(card.reason.zh, "参数 thread 为 32；取值范围为 [0, 31]");
 }
 
+// Also where there is no range that it could name.
+TEST(CardCommands, TheReasonSaysThatAParameterIsNoNumber) {
+  CommandTestCard card;
+  const double nan = std::nan("");
+  card.Expect(7, "GT_SetVel", {1, nan});
+  EXPECT_EQ(card.reason.en, "parameter vel is not a number");
+  EXPECT_EQ(card.reason.zh, "参数 vel 不是数值");
+  card.Expect(7, "GT_SetDoubleVar", {1, nan});
+  EXPECT_EQ(card.reason.en, "parameter pValue is not a number");
+  EXPECT_EQ(card.reason.zh, "参数 pValue 不是数值");
+}
+
 TEST(CardCommands, TheMachineFindsCommandsByNumber) {
   CommandTestCard card;
   const Command& command = *GtsCatalogue().Find("GT_SetDo");
