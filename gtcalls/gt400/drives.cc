@@ -1,6 +1,7 @@
 #include "gtcalls/gt400/drives.h"
 
-#include <limits>
+#include "gtcalls/gt400/gt400_state.h"
+#include "gtcalls/shared/drives.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -9,19 +10,14 @@ const Gt400Axis& StateOf(const Card& card, size_t axis) {
   return card.state<Gt400State>().axes[axis];
 }
 
-/// The position error is judged in closed loop only.
 void UpdateErrorLimit(Card& card, size_t axis) {
-  constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
-  const uint16_t limit = StateOf(card, axis).valid.error_limit;
-  card.motion.ControlAt(axis).SetErrorLimit(card.motion.InClosedLoop(axis) ? limit : kNever);
+  LimitFollowingError(axis, StateOf(card, axis).valid.error_limit, card.motion);
 }
 
 }  // namespace
 
-bool HasVoltages(const Card& card) { return card.motion.config().defaults.closed_loop; }
-
 bool IsAnalogue(const Card& card, size_t axis) {
-  return HasVoltages(card) && !StateOf(card, axis).pulses;
+  return HasVoltages(card.motion) && !StateOf(card, axis).pulses;
 }
 
 bool IsInOpenLoop(const Card& card, size_t axis) {
@@ -34,11 +30,7 @@ bool CanPlan(const Card& card, size_t axis) {
 }
 
 void ConnectDrive(Card& card, size_t axis) {
-  const bool analogue = IsAnalogue(card, axis);
-  const bool open = StateOf(card, axis).open_loop;
-  // A drive that follows a voltage takes no pulses.
-  card.motion.StepAt(axis).SetActive(!(analogue && open));
-  card.motion.AxisAt(axis).SetClosedLoop(analogue && !open);
+  SwitchOutput(axis, IsAnalogue(card, axis), StateOf(card, axis).open_loop, card.motion);
   UpdateOutput(card, axis);
   UpdateErrorLimit(card, axis);
   if (card.motion.axis(axis).servo_on) card.motion.AxisAt(axis).RestartDrive();
@@ -46,7 +38,7 @@ void ConnectDrive(Card& card, size_t axis) {
 
 /// Assumption: in open loop bias and limit have no meaning.
 void UpdateOutput(Card& card, size_t axis) {
-  if (!HasVoltages(card)) return;
+  if (!HasVoltages(card.motion)) return;
   const Gt400Axis& state = StateOf(card, axis);
   const motion::DacHandle dac = card.motion.DacAt(axis);
   if (card.motion.InClosedLoop(axis)) {
@@ -60,7 +52,7 @@ void UpdateOutput(Card& card, size_t axis) {
 }
 
 void UpdateServo(Card& card, size_t axis) {
-  if (!HasVoltages(card)) return;
+  if (!HasVoltages(card.motion)) return;
   const AxisRegisters& valid = StateOf(card, axis).valid;
   motion::PidSet set = card.motion.state().controls[axis].sets[0];
   set.kp = valid.kp;
@@ -77,9 +69,7 @@ void UpdateServo(Card& card, size_t axis) {
 }
 
 void PlaceAxis(Card& card, size_t axis, int32_t position) {
-  card.motion.ProfileAt(axis).SetPosition(position);
-  card.motion.EncoderAt(axis).SetPosition(position);
-  card.motion.AxisAt(axis).SynchPosition();
+  PlaceAxisAt(axis, position, card.motion);
   Gt400Axis& state = card.state<Gt400State>().axes[axis];
   state.waiting.position = state.valid.position = position;
 }

@@ -9,8 +9,6 @@
 
 namespace oncard::gtcalls::gt400 {
 
-/// True if the card can put out voltages: the SV card.
-bool HasVoltages(const Card& card);
 /// True if the axis is controlled by a voltage now.
 bool IsAnalogue(const Card& card, size_t axis);
 /// True if GT_SetMtrCmd sets that voltage, and no plan does.

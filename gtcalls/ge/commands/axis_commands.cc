@@ -2,6 +2,7 @@
 // 12. Tested by tests/gtcalls/ge/axis_command_test.cc.
 #include "gtcalls/ge/commands/commands.h"
 #include "gtcalls/ge/status_words.h"
+#include "gtcalls/shared/drives.h"
 #include "gtcalls/shared/senses.h"
 
 namespace oncard::gtcalls::ge {
@@ -81,7 +82,7 @@ int16_t GT_EncOff(Call& call) { return SwitchEncoder(call, false); }
 int16_t GT_CtrlMode(Call& call) {
   const size_t axis = AxisOf(call);
   const bool pulses = call.integer(1) == kPulseMode;
-  if (!pulses && !HasVoltages(call.card)) {
+  if (!pulses && !HasVoltages(call.card.motion)) {
     return call.Refuse(vm::kBadParameter, {"this card puts out pulses only: mode must be 1",
                                            "本控制卡只有脉冲输出：mode 应为 1"});
   }

@@ -35,8 +35,6 @@ int16_t CheckNoAlarm(Call& call, CommandCause cause);
 /// Refuses a mask without axes.
 int16_t RefuseEmptyMask(Call& call);
 
-/// True if the card can put out voltages.
-bool HasVoltages(const Card& card);
 /// True if the axis is controlled by a voltage now.
 bool IsAnalogue(const Card& card, size_t axis);
 /// Connects the drive of the axis as GT_CtrlMode and GT_OpenLp say.

@@ -1,9 +1,9 @@
 // What the commands of GE cards have in common.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "gtcalls/ge/commands/commands.h"
+#include "gtcalls/shared/drives.h"
 
 namespace oncard::gtcalls::ge {
 
@@ -45,34 +45,28 @@ int16_t RefuseEmptyMask(Call& call) {
                      {"the mask is 0; bit 0 is axis 1", "mask 为 0；第 0 位对应轴 1"});
 }
 
-bool HasVoltages(const Card& card) { return card.motion.config().defaults.closed_loop; }
-
 bool IsAnalogue(const Card& card, size_t axis) {
-  return HasVoltages(card) && !card.state<GeState>().axes[axis].pulses;
+  return HasVoltages(card.motion) && !card.state<GeState>().axes[axis].pulses;
 }
 
 namespace {
 
 /// Assumption: the following error is judged in closed loop only.
 void UpdateErrorLimit(Card& card, size_t axis) {
-  constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
-  const uint16_t limit = card.state<GeState>().axes[axis].registers.error_limit.working;
-  card.motion.ControlAt(axis).SetErrorLimit(card.motion.InClosedLoop(axis) ? limit : kNever);
+  const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
+  LimitFollowingError(axis, registers.error_limit.working, card.motion);
 }
 
 }  // namespace
 
 void ConnectDrive(Card& card, size_t axis) {
-  const bool analogue = IsAnalogue(card, axis);
-  const bool open = card.state<GeState>().axes[axis].open_loop;
-  // A drive that follows a voltage takes no pulses.
-  card.motion.StepAt(axis).SetActive(!(analogue && open));
-  card.motion.AxisAt(axis).SetClosedLoop(analogue && !open);
+  const bool open_loop = card.state<GeState>().axes[axis].open_loop;
+  SwitchOutput(axis, IsAnalogue(card, axis), open_loop, card.motion);
   UpdateErrorLimit(card, axis);
 }
 
 void UpdateServo(Card& card, size_t axis) {
-  if (!HasVoltages(card)) return;
+  if (!HasVoltages(card.motion)) return;
   const GeRegisters& registers = card.state<GeState>().axes[axis].registers;
   motion::PidSet set = card.motion.state().controls[axis].sets[0];
   set.kp = registers.kp.working;
@@ -88,9 +82,7 @@ void UpdateServo(Card& card, size_t axis) {
 }
 
 void PlaceAxis(Card& card, size_t axis, int32_t position) {
-  card.motion.ProfileAt(axis).SetPosition(position);
-  card.motion.EncoderAt(axis).SetPosition(position);
-  card.motion.AxisAt(axis).SynchPosition();
+  PlaceAxisAt(axis, position, card.motion);
   card.state<GeState>().axes[axis].registers.position.Set(position);
 }
 

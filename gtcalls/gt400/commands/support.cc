@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "gtcalls/gt400/commands/commands.h"
-#include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/shared/drives.h"
 
 namespace oncard::gtcalls::gt400 {
 
@@ -13,7 +13,7 @@ int16_t RefuseFor(Call& call, CommandCause cause, Message why) {
 }
 
 int16_t CheckServoCard(Call& call) {
-  if (HasVoltages(call.card)) return vm::kOk;
+  if (HasVoltages(call.card.motion)) return vm::kOk;
   return RefuseFor(call, kIllegal,
                    {"only the SV card has this command, this card puts out pulses only",
                     "仅 SV 卡支持该指令，本控制卡只有脉冲输出"});
