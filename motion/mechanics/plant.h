@@ -72,11 +72,15 @@ struct Plant {
   auto Fields() const { return std::tie(position, velocity, axis, control, lead, stalled, hand); }
 };
 
+/// Step::mode.
+inline constexpr int16_t kPulseAndDirection = 0;
+inline constexpr int16_t kForwardAndBackward = 1;
+
 /// A pulse output.
 struct Step {
-  bool active = true;     ///< configuration
-  int8_t axis = -1;       ///< the axis whose planned position it outputs, from 0; -1: none
-  int16_t mode = 0;       ///< 0: pulse and direction, 1: forward and backward pulses
+  bool active = true;  ///< configuration
+  int8_t axis = -1;    ///< the axis whose planned position it outputs, from 0; -1: none
+  int16_t mode = kPulseAndDirection;
   int16_t parameter = 0;  ///< of the configuration; its meaning is unknown
   bool reversed = false;  ///< the wiring matches it
   double position = 0;    ///< pulses output

@@ -13,10 +13,6 @@ using motion::DoType;
 /// GT_CtrlMode.
 constexpr int kPulseMode = 1;
 
-/// Step::mode.
-constexpr int16_t kPulseAndDirection = 0;
-constexpr int16_t kForwardAndBackward = 1;
-
 /// Assumption: how long the CLEAR output is on.
 constexpr int64_t kClearPulseUs = 10'000;
 
@@ -96,12 +92,12 @@ int16_t GT_CtrlMode(Call& call) {
 }
 
 int16_t GT_StepDir(Call& call) {
-  call.card.motion.StepAt(AxisOf(call)).SetMode(kPulseAndDirection);
+  call.card.motion.StepAt(AxisOf(call)).SetMode(motion::kPulseAndDirection);
   return vm::kOk;
 }
 
 int16_t GT_StepPulse(Call& call) {
-  call.card.motion.StepAt(AxisOf(call)).SetMode(kForwardAndBackward);
+  call.card.motion.StepAt(AxisOf(call)).SetMode(motion::kForwardAndBackward);
   return vm::kOk;
 }
 

@@ -16,10 +16,6 @@ using motion::DoType;
 /// GT_CtrlMode.
 constexpr int kPulseMode = 1;
 
-/// Step::mode.
-constexpr int16_t kPulseAndDirection = 0;
-constexpr int16_t kForwardAndBackward = 1;
-
 /// Assumption: how long the CLEAR output is on, sample times.
 constexpr int64_t kClearPulse = 100;
 /// The motion core takes a sample time for a millisecond.
@@ -81,12 +77,12 @@ int16_t GT_CtrlMode(Call& call) {
 }
 
 int16_t GT_StepDir(Call& call) {
-  call.card.motion.StepAt(CurrentAxis(call)).SetMode(kPulseAndDirection);
+  call.card.motion.StepAt(CurrentAxis(call)).SetMode(motion::kPulseAndDirection);
   return vm::kOk;
 }
 
 int16_t GT_StepPulse(Call& call) {
-  call.card.motion.StepAt(CurrentAxis(call)).SetMode(kForwardAndBackward);
+  call.card.motion.StepAt(CurrentAxis(call)).SetMode(motion::kForwardAndBackward);
   return vm::kOk;
 }
 

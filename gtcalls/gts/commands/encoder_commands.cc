@@ -35,10 +35,6 @@ int16_t GT_EncSns(Call& call) {
 
 namespace {
 
-/// Step::mode.
-constexpr int16_t kPulseAndDirection = 0;
-constexpr int16_t kForwardAndBackward = 1;
-
 /// Refused while the axis is in closed loop, as in the GE manual.
 int16_t SetStepMode(Call& call, int16_t mode) {
   motion::MotionCore& core = call.card.motion;
@@ -56,7 +52,7 @@ int16_t SetStepMode(Call& call, int16_t mode) {
 
 }  // namespace
 
-int16_t GT_StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
-int16_t GT_StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
+int16_t GT_StepDir(Call& call) { return SetStepMode(call, motion::kPulseAndDirection); }
+int16_t GT_StepPulse(Call& call) { return SetStepMode(call, motion::kForwardAndBackward); }
 
 }  // namespace oncard::gtcalls::gts
