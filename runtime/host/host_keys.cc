@@ -11,7 +11,6 @@
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
-#include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
 namespace {
@@ -134,7 +133,6 @@ int HostKeys::ReadNext() {
   if (scripted_) return ReadScripted();
   OpenTerminal();
   std::fflush(stdout);
-  const VirtualTime::AwaitingInput input(&VirtualTime::OfProcess());
   unsigned char character = 0;
   return ::read(STDIN_FILENO, &character, 1) == 1 ? character : -1;
 }

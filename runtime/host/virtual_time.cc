@@ -51,8 +51,8 @@ VirtualTime& VirtualTime::OfProcess() {
   return time;
 }
 
-bool VirtualTime::OthersOfProcessWait(std::span<const ThreadId> asleep,
-                                      std::span<const ThreadId> in_slices) {
+Waits VirtualTime::OthersOfProcessWait(std::span<const ThreadId> asleep,
+                                       std::span<const ThreadId> in_slices) {
   return WaitingThreads::OfProcess().OthersWait(asleep, in_slices);
 }
 
@@ -211,8 +211,8 @@ void VirtualTime::ListenTo(WakeUps* source) {
   source_ = source;
 }
 
-bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
-  if (going_ > 0) return false;
+Waits VirtualTime::HowOthersWait(std::unique_lock<std::mutex>* lock) {
+  if (going_ > 0) return Waits::kNot;
   const ThreadId own = CallingThread();
   std::vector<ThreadId> asleep;
   std::vector<ThreadId> in_slices;
@@ -224,20 +224,23 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
   const int64_t changes = changes_;
   const int64_t visits = visits_;
   lock->unlock();
-  const bool others_wait = others_wait_(asleep, in_slices);
+  const Waits others = others_wait_(asleep, in_slices);
   lock->lock();
-  return others_wait && changes == changes_ && visits == visits_ && entering_ == 0;
+  const bool undisturbed = changes == changes_ && visits == visits_ && entering_ == 0;
+  return undisturbed ? others : Waits::kNot;
 }
 
 bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
   if (WakeDue()) return true;
   const Sleeper* first = First();
-  if (first == nullptr || first->bed == nullptr || acting_ != 0 || !IsAlone(lock)) return false;
+  if (first == nullptr || first->bed == nullptr || acting_ != 0) return false;
+  const Waits others = HowOthersWait(lock);
+  if (others == Waits::kNot) return false;
   if (source_ != nullptr) {
     if (!FollowSource(lock)) return true;
     first = First();
   }
-  if (first->deadline_ns == kNeverNs) return GiveUpWaiting();
+  if (first->deadline_ns == kNeverNs) return others == Waits::kForThreads && GiveUpWaiting();
   AdvanceTo(first->deadline_ns);
   return WakeDue();
 }
@@ -264,7 +267,6 @@ bool VirtualTime::FollowSource(std::unique_lock<std::mutex>* lock) {
 }
 
 bool VirtualTime::GiveUpWaiting() {
-  if (awaiting_input_ > 0) return false;
   bool any = false;
   for (auto sleeper = sleepers_.begin(); sleeper != sleepers_.end();) {
     const Sleeper endless = *sleeper++;
@@ -336,7 +338,10 @@ int64_t VirtualTime::NextSliceNs(const Wait& wait) {
   }
   if (now_ns_ >= wait.deadline_ns) return 0;
   if (First()->number != wait.number) return kOtherSliceNs;
-  if (acting_ == 0 && IsAlone(&lock) && (source_ == nullptr || FollowSource(&lock))) return 0;
+  if (acting_ == 0 && HowOthersWait(&lock) != Waits::kNot &&
+      (source_ == nullptr || FollowSource(&lock))) {
+    return 0;
+  }
   return now_ns_ >= wait.deadline_ns ? 0 : kFirstSliceNs;
 }
 

@@ -26,10 +26,11 @@
 // Between two checks a handler of a signal may run, for which the wait cannot end. It lets time
 // pass the deadline before it waits for another thread (LetOthersPass).
 //
-// A thread can also wait for another one without a deadline (SleepOn). And what is no thread of the
-// host, such as a card that interrupts it, may wake one: there can be one source of such wake-ups.
-// When every thread waits, time never jumps past the instant at which the source may act; it acts
-// there, and time goes on to its next instant, until a thread has been woken.
+// A thread can also wait for another one without a deadline (SleepOn). If every thread waits, and
+// none for what may come from outside, such as a key, these waits are given up. And what is no
+// thread of the host, such as a card that interrupts it, may wake one: there can be one source of
+// such wake-ups. When every thread waits, time never jumps past the instant at which the source may
+// act; it acts there, and time goes on to its next instant, until a thread has been woken.
 //
 // A host with one thread therefore sees exactly the same times in every run. With several threads,
 // times are the same as long as only one of them runs at a time; threads that run in parallel can
@@ -74,7 +75,7 @@ class VirtualTime {
  public:
   /// WaitingThreads::OthersWait().
   using OthersWait =
-      std::function<bool(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices)>;
+      std::function<Waits(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices)>;
   /// A wait with a deadline, from BeginWait() to EndWait().
   struct Wait {
     int64_t deadline_ns = 0;
@@ -121,17 +122,6 @@ class VirtualTime {
   void WakeFirst();
   /// From now on asks the source before time jumps. It must exist as long as this object.
   void ListenTo(WakeUps* source);
-  /// While it exists somebody outside, such as a user at the terminal, may wake a thread.
-  class AwaitingInput {
-   public:
-    explicit AwaitingInput(VirtualTime* time) : time_(time) { ++time_->awaiting_input_; }
-    AwaitingInput(const AwaitingInput&) = delete;
-    AwaitingInput& operator=(const AwaitingInput&) = delete;
-    ~AwaitingInput() { --time_->awaiting_input_; }
-
-   private:
-    VirtualTime* time_;
-  };
 
   /// The calling thread begins to wait for something until a deadline.
   Wait BeginWait(int64_t deadline_ns);
@@ -173,8 +163,8 @@ class VirtualTime {
     }
   };
 
-  static bool OthersOfProcessWait(std::span<const ThreadId> asleep,
-                                  std::span<const ThreadId> in_slices);
+  static Waits OthersOfProcessWait(std::span<const ThreadId> asleep,
+                                   std::span<const ThreadId> in_slices);
 
   /// Locks, for a thread of the host. Whoever looks whether the others wait sees that it came.
   std::unique_lock<std::mutex> Enter();
@@ -200,8 +190,8 @@ class VirtualTime {
   bool GiveUpWaiting();
   /// Wakes the sleepers whose moment has come; true if there was one.
   bool WakeDue();
-  /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
-  bool IsAlone(std::unique_lock<std::mutex>* lock);
+  /// Whether every other thread waits, and kept waiting during the check. Unlocks in between.
+  Waits HowOthersWait(std::unique_lock<std::mutex>* lock);
   /// True while sleepers whose moment has come have not gone on; waits of `own` and those that a
   /// handler has interrupted do not count.
   bool IsPassingSomeone(int64_t now) const;
@@ -229,8 +219,7 @@ class VirtualTime {
   std::atomic<ThreadId> acting_ = 0;  // follows the source: nobody else lets time jump
   bool ends_ = false;
   std::atomic<int> helper_calls_ = 0;  // a futex for the helper that rests
-  std::atomic<int> awaiting_input_ = 0;
-  std::atomic<int> entering_ = 0;  // threads that wait for the lock in Enter()
+  std::atomic<int> entering_ = 0;      // threads that wait for the lock in Enter()
   std::atomic<int64_t> first_deadline_ns_ = INT64_MAX;
   std::atomic<int64_t> now_ns_ = 0;
 };

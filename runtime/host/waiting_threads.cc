@@ -2,6 +2,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -47,6 +48,15 @@ std::string_view LineOf(std::string_view status, std::string_view key) {
 /// The letters of threads that wait: asleep, or ended and not yet waited for.
 bool IsWaiting(std::string_view state) {
   return state.starts_with('S') || state.starts_with('Z') || state.starts_with('X');
+}
+
+/// For what a thread waits that is asleep, by what `syscall` says of it.
+Waits WaitOf(const std::string& call) {
+  const long number = std::atol(call.c_str());
+#ifdef SYS_futex_time64
+  if (number == SYS_futex_time64) return Waits::kForThreads;
+#endif
+  return number == SYS_futex ? Waits::kForThreads : Waits::kForOutside;
 }
 
 }  // namespace
@@ -166,47 +176,51 @@ WaitingThreads::Answer WaitingThreads::LookAt(Thread* thread, bool in_slices, bo
   ++work_.looks;
   std::string runs;
   bool waits = false;
+  Waits wait = Waits::kForOutside;
   if (counts_runs_) {
     const std::string call = Read(*thread, thread->call, "syscall");
-    if (call.empty()) return Answer::kEnded;
-    if (call.starts_with("running")) return Answer::kRun;
-    if (in_slices) return Answer::kWait;
+    if (call.empty()) return std::nullopt;
+    if (call.starts_with("running")) return Waits::kNot;
+    if (in_slices) return Waits::kForThreads;
+    wait = WaitOf(call);
     runs = Read(*thread, thread->runs, "schedstat");
-    if (runs.empty()) return Answer::kEnded;
-    if (runs == thread->asleep) return Answer::kWait;
+    if (runs.empty()) return std::nullopt;
+    if (runs == thread->asleep) return wait;
     // What is not running can also wait for a disk. The name in parentheses can contain any.
     const std::string status = Read(*thread, -1, "stat");
     const size_t name_end = status.rfind(") ");
-    if (name_end == std::string::npos) return Answer::kEnded;
+    if (name_end == std::string::npos) return std::nullopt;
     waits = IsWaiting(std::string_view(status).substr(name_end + 2));
   } else {
     const std::string status = Read(*thread, thread->runs, "status");
-    if (status.empty()) return Answer::kEnded;
+    if (status.empty()) return std::nullopt;
     waits = IsWaiting(LineOf(status, "\nState:\t"));
-    if (waits && in_slices) return Answer::kWait;
+    if (waits && in_slices) return Waits::kForThreads;
     runs = LineOf(status, "\nvoluntary_ctxt_switches:\t");
-    if (waits && runs == thread->asleep) return Answer::kWait;
+    if (waits && runs == thread->asleep) return wait;
   }
   thread->asleep = waits ? runs : std::string();
-  return waits && !second ? Answer::kWait : Answer::kRun;
+  return waits && !second ? wait : Waits::kNot;
 }
 
 WaitingThreads::Answer WaitingThreads::LookAtOthers(const Known& known, bool second) {
+  Waits all = Waits::kForThreads;
   for (Thread& thread : threads_) {
     if (thread.id == known.caller || IsIn(known.asleep, thread.id) || IsLeftOut(thread.id)) {
       continue;
     }
     const Answer answer = LookAt(&thread, IsIn(known.in_slices, thread.id), second);
-    if (answer != Answer::kWait) return answer;
+    if (!answer || *answer == Waits::kNot) return answer;
+    if (*answer == Waits::kForOutside) all = Waits::kForOutside;
   }
-  return Answer::kWait;
+  return all;
 }
 
 // The threads are looked at twice: one that waits both times and has not run in between has waited
 // all the time. So at the instant between the two all of them waited. A thread in slices may have
 // run in between, but only from one slice to the next.
-bool WaitingThreads::OthersWait(std::span<const ThreadId> asleep,
-                                std::span<const ThreadId> in_slices) {
+Waits WaitingThreads::OthersWait(std::span<const ThreadId> asleep,
+                                 std::span<const ThreadId> in_slices) {
   const std::lock_guard lock(mutex_);
   const Known known = {asleep, in_slices, CallingThread()};
   const size_t count = Count();
@@ -214,15 +228,16 @@ bool WaitingThreads::OthersWait(std::span<const ThreadId> asleep,
   for (const auto& out : left_out) {
     if (out != 0 && out != known.caller) ++known_count;
   }
-  if (count != 0 && count <= known_count) return true;
+  if (count != 0 && count <= known_count) return Waits::kForThreads;
   for (int listing = 0; listing < kListingsOfOneLook; ++listing) {
     if (listing > 0 || threads_.size() != count) ListThreads();
     Answer answer = LookAtOthers(known, false);
     // The first of several may have been woken by the last. A single one waits now.
-    if (answer == Answer::kWait && count != known_count + 1) answer = LookAtOthers(known, true);
-    if (answer != Answer::kEnded) return answer == Answer::kWait;
+    if (!answer) continue;
+    if (*answer != Waits::kNot && count != known_count + 1) answer = LookAtOthers(known, true);
+    if (answer) return *answer;
   }
-  return false;
+  return Waits::kNot;
 }
 
 }  // namespace oncard::runtime

@@ -6,7 +6,10 @@
 // - The files of each of the other threads stay open: `syscall` says `running` for a thread that
 //   does not wait, and `schedstat` how often it has run. A thread seen asleep still sleeps while
 //   that number has not changed, and what kind of wait it is in is asked only once.
-// - Kernels that do not count runs have `status`, which takes three times as long.
+// - `syscall` also says in which system call a thread is. One in a futex waits for other threads;
+//   any other call, such as the read of a pipe, can be ended by something outside of the process.
+// - Kernels that do not count runs have `status`, which takes three times as long and names no
+//   calls.
 //
 // If the host has closed the descriptor of the folder (kept_descriptor.h), all is opened anew.
 //
@@ -15,7 +18,9 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +29,13 @@
 #include "runtime/host/kept_descriptor.h"
 
 namespace oncard::runtime {
+
+/// Whether threads wait, and for what.
+enum class Waits : uint8_t {
+  kNot,         ///< one of them runs
+  kForThreads,  ///< each for others, or with a deadline
+  kForOutside,  ///< one of them at least for what may come from outside, or for what is not known
+};
 
 class WaitingThreads {
  public:
@@ -35,10 +47,10 @@ class WaitingThreads {
   /// The process's own; never destroyed.
   static WaitingThreads& OfProcess();
 
-  /// True if all threads of the process except the calling one wait. Threads `asleep` do: they are
-  /// not looked at. Threads `in_slices` wait for something again and again: they may have run from
-  /// one such wait to the next.
-  bool OthersWait(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices);
+  /// Whether all threads of the process except the calling one wait. Threads `asleep` do: they are
+  /// not looked at. Threads `in_slices` wait for something again and again, up to a deadline: they
+  /// may have run from one such wait to the next.
+  Waits OthersWait(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices);
 
   /// During its lifetime the calling thread does not belong to the host: it is not looked at.
   class LeftOut {
@@ -74,7 +86,8 @@ class WaitingThreads {
     std::span<const ThreadId> in_slices;
     ThreadId caller = 0;
   };
-  enum class Answer { kWait, kRun, kEnded };
+  /// Empty: a thread has ended.
+  using Answer = std::optional<Waits>;
 
   /// The number of threads; 0 if the operating system does not say.
   size_t Count();

@@ -18,10 +18,10 @@ namespace {
 
 ThreadId OwnId() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
 
-/// Asks until the answer is yes: a thread needs a moment to fall asleep or to end.
-bool WaitInTheEnd(WaitingThreads* threads, std::span<const ThreadId> asleep = {}) {
+/// Asks until this is the answer: a thread needs a moment to fall asleep or to end.
+bool WaitInTheEnd(WaitingThreads* threads, Waits wait = Waits::kForThreads) {
   for (int look = 0; look < 1'000'000; ++look) {
-    if (threads->OthersWait(asleep, {})) return true;
+    if (threads->OthersWait({}, {}) == wait) return true;
     std::this_thread::yield();
   }
   return false;
@@ -71,7 +71,7 @@ class WaitingThread {
 
 TEST(WaitingThreadsTest, ASingleThreadHasNobodyToLookAt) {
   WaitingThreads threads;
-  EXPECT_TRUE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.OthersWait({}, {}), Waits::kForThreads);
   EXPECT_EQ(threads.work().listings, 0);
   EXPECT_EQ(threads.work().looks, 0);
 }
@@ -81,7 +81,8 @@ TEST(WaitingThreadsTest, WhoIsKnownToSleepIsNotLookedAt) {
   const WaitingThread other;
   const ThreadId asleep[] = {one.id(), other.id()};
   WaitingThreads threads;
-  for (int look = 0; look < 10; ++look) EXPECT_TRUE(threads.OthersWait(asleep, {}));
+  for (int look = 0; look < 10; ++look)
+    EXPECT_EQ(threads.OthersWait(asleep, {}), Waits::kForThreads);
   EXPECT_EQ(threads.work().listings, 0);
   EXPECT_EQ(threads.work().looks, 0);
 }
@@ -91,9 +92,25 @@ TEST(WaitingThreadsTest, AThreadThatWorksDoesNotWait) {
   WaitingThreads threads;
   EXPECT_TRUE(WaitInTheEnd(&threads));
   thread.Work();
-  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, {}));
+  for (int look = 0; look < 100; ++look) EXPECT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   thread.StopWorking();
   EXPECT_TRUE(WaitInTheEnd(&threads));
+}
+
+TEST(WaitingThreadsTest, AThreadThatReadsWaitsForWhatComesFromOutside) {
+  int pipe[2] = {-1, -1};
+  ASSERT_EQ(::pipe(pipe), 0);
+  const WaitingThread other;
+  std::thread reader([&] {
+    char character = 0;
+    EXPECT_EQ(::read(pipe[0], &character, 1), 1);
+  });
+  WaitingThreads threads;
+  EXPECT_TRUE(WaitInTheEnd(&threads, Waits::kForOutside));
+  EXPECT_EQ(::write(pipe[1], "x", 1), 1);
+  reader.join();
+  EXPECT_TRUE(WaitInTheEnd(&threads, Waits::kForThreads));
+  for (const int end : pipe) ::close(end);
 }
 
 TEST(WaitingThreadsTest, AThreadInSlicesThatWorksDoesNotWaitEither) {
@@ -101,7 +118,7 @@ TEST(WaitingThreadsTest, AThreadInSlicesThatWorksDoesNotWaitEither) {
   const ThreadId in_slices[] = {thread.id()};
   thread.Work();
   WaitingThreads threads;
-  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, in_slices));
+  for (int look = 0; look < 100; ++look) EXPECT_EQ(threads.OthersWait({}, in_slices), Waits::kNot);
 }
 
 TEST(WaitingThreadsTest, AThreadThatGoesOnWaitingIsLookedAtOnceEachTime) {
@@ -109,7 +126,7 @@ TEST(WaitingThreadsTest, AThreadThatGoesOnWaitingIsLookedAtOnceEachTime) {
   WaitingThreads threads;
   ASSERT_TRUE(WaitInTheEnd(&threads));
   const WaitingThreads::Work before = threads.work();
-  for (int look = 0; look < 10; ++look) EXPECT_TRUE(threads.OthersWait({}, {}));
+  for (int look = 0; look < 10; ++look) EXPECT_EQ(threads.OthersWait({}, {}), Waits::kForThreads);
   EXPECT_EQ(threads.work().looks - before.looks, 10);
   EXPECT_EQ(threads.work().listings, before.listings);
 }
@@ -123,7 +140,7 @@ TEST(WaitingThreadsTest, ThreadsThatComeAndGoAreListedAnew) {
   first->End();
   WaitingThread third;
   third.Work();
-  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, {}));
+  for (int look = 0; look < 100; ++look) EXPECT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   third.StopWorking();
   EXPECT_TRUE(WaitInTheEnd(&threads));
 }
@@ -139,7 +156,7 @@ TEST(WaitingThreadsTest, AThreadThatIsLeftOutMayWork) {
   });
   while (!left_out) std::this_thread::yield();
   WaitingThreads threads;
-  EXPECT_TRUE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.OthersWait({}, {}), Waits::kForThreads);
   const WaitingThread other;
   EXPECT_TRUE(WaitInTheEnd(&threads));
   ends = true;
@@ -152,7 +169,7 @@ TEST(WaitingThreadsTest, ManyThreadsAreLookedAtWithoutKeepingAllFilesOpen) {
   WaitingThreads threads;
   EXPECT_TRUE(WaitInTheEnd(&threads));
   many.back()->Work();
-  EXPECT_FALSE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   many.back()->StopWorking();
 }
 
@@ -170,7 +187,7 @@ TEST(WaitingThreadsTest, SurvivesAHostThatClosesAllDescriptors) {
   }
   EXPECT_TRUE(WaitInTheEnd(&threads));
   thread.Work();
-  EXPECT_FALSE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   thread.StopWorking();
   for (const int descriptor : of_host) EXPECT_EQ(::close(descriptor), 0) << "closed by us";
 }
@@ -180,9 +197,9 @@ TEST(WaitingThreadsTest, AChildHasItsOwnThreads) {
   WaitingThreads threads;
   ASSERT_TRUE(WaitInTheEnd(&threads));
   thread.Work();
-  ASSERT_FALSE(threads.OthersWait({}, {}));
+  ASSERT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   const pid_t child = ::fork();
-  if (child == 0) ::_exit(threads.OthersWait({}, {}) ? 0 : 1);
+  if (child == 0) ::_exit(threads.OthersWait({}, {}) == Waits::kForThreads ? 0 : 1);
   int status = -1;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
