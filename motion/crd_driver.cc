@@ -212,8 +212,9 @@ void CrdDriver::Halt() {
 
 void CrdDriver::StopFor(size_t profile, bool abrupt) {
   if (!crd_.map) return Stop(abrupt);
-  if (crd_.map->stops_together) return Halt();
-  LeaveMap(profile);
+  if (!crd_.map->stops_together) return LeaveMap(profile);
+  crd_.map->held = true;
+  Halt();
 }
 
 void CrdDriver::CloseList(size_t fifo) {

@@ -57,6 +57,8 @@ class CrdDriver {
   void SetJump(size_t axis, double velocity);
   /// A stop of an axis stops the path, or the axis alone, which then leaves the map.
   void SetStopsTogether(bool together) { crd_.map->stops_together = together; }
+  /// Forgets that an axis has stopped the path.
+  void ForgetHold() { crd_.map->held = false; }
   /// Takes an axis out of the map.
   void LeaveMap(size_t axis);
 

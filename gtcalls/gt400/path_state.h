@@ -46,7 +46,6 @@ struct Path {
   // Bits of the status word.
   bool immediate = true;
   bool jumped = false;  ///< an axis has changed its velocity by more than its limit
-  bool held = false;    ///< an axis has stopped the path
   // The present run, or the last one.
   bool runs = false;       ///< it had not ended when the card was looked at last
   bool commanded = false;  ///< a command of the host has stopped it
@@ -57,8 +56,8 @@ struct Path {
   std::array<uint8_t, kAxisMax> limits{};  ///< the events of limits
 
   auto Fields() const {
-    return std::tie(velocity, acceleration, list, break_point, immediate, jumped, held, runs,
-                    commanded, done, velocities, limits);
+    return std::tie(velocity, acceleration, list, break_point, immediate, jumped, runs, commanded,
+                    done, velocities, limits);
   }
 };
 

@@ -69,7 +69,7 @@ uint16_t PathStatusWord(const CardView& card) {
   set(kAxisJumpedBit, path.jumped);
   set(kStopsTogetherBit, !crd.map || crd.map->stops_together);
   set(kImmediateBit, path.immediate);
-  set(kStoppedByAxisBit, path.held);
+  set(kStoppedByAxisBit, crd.map && crd.map->held);
   set(kListEmptyBit, crd.fifos[kListFifo].idle());
   return word;
 }
@@ -161,7 +161,6 @@ void EndRun(Card& card) {
     return;
   }
   CloseList(card);
-  path.held = path.held || !path.commanded;
   if (!is_list || list.idle()) return;
   // On the way to the start point, or back, the break point stays what it was.
   const bool begun = list.executing || list.done > 0;
@@ -190,8 +189,9 @@ void BeginRun(Card& card) {
 void StartSegment(Card& card, const motion::PathSlot& segment) {
   Path& path = PathIn(card);
   path.immediate = true;
-  path.jumped = path.held = false;
+  path.jumped = false;
   motion::CrdDriver driver = DriverOf(card);
+  driver.ForgetHold();
   driver.Append(kSingleFifo, segment);
   driver.Start(kSingleFifo, false);
   BeginRun(card);

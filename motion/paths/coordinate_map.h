@@ -40,6 +40,7 @@ struct CoordinateMap {
   std::array<double, kMappedAxisMax> jumps = {kUnlimited, kUnlimited, kUnlimited, kUnlimited};
   /// An axis that is stopped stops the path; otherwise it leaves the map, and the path goes on.
   bool stops_together = true;
+  bool held = false;  ///< an axis has stopped the path since its owner has forgotten that
 
   /// True if the axis is mapped.
   bool Has(size_t axis) const;
@@ -54,7 +55,7 @@ struct CoordinateMap {
   /// `present`, which is the result if it puts all of them where they are.
   Coordinates PointOf(const MappedPositions& axes, const Coordinates& present) const;
 
-  auto Fields() const { return std::tie(rows, jumps, stops_together); }
+  auto Fields() const { return std::tie(rows, jumps, stops_together, held); }
 };
 
 }  // namespace oncard::motion

@@ -115,8 +115,11 @@ TEST(CoordinateMap, JoinsTheHashWithAllItHolds) {
   jump.jumps[3] = 1;
   CoordinateMap alone;
   alone.stops_together = false;
-  const uint64_t hashes[] = {hash({}), hash(MapOf({{{0, 0, 0, 1}}})), hash(MapOf({{{}, 1}})),
-                             hash(jump), hash(alone)};
+  CoordinateMap held;
+  held.held = true;
+  const uint64_t hashes[] = {
+      hash({}),  hash(MapOf({{{0, 0, 0, 1}}})), hash(MapOf({{{}, 1}})), hash(jump), hash(alone),
+      hash(held)};
   for (size_t i = 1; i < std::size(hashes); ++i) {
     for (size_t k = 0; k < i; ++k) EXPECT_NE(hashes[i], hashes[k]) << i << k;
   }

@@ -180,10 +180,30 @@ TEST(MappedPath, AStopOfAnAxisStopsAll) {
   test.AddLine({1000, 500}, 2, 0.1);
   test.Start();
   test.RunFor(100);
+  EXPECT_FALSE(test.crd().map->held);
   test.core.AxisAt(1).Stop(false);
   EXPECT_FALSE(test.running());
   EXPECT_FALSE(test.profile(0).moving);
   EXPECT_EQ(test.profile(0).velocity, 0);
+  EXPECT_TRUE(test.crd().map->held);
+  test.path().ForgetHold();
+  EXPECT_FALSE(test.crd().map->held);
+}
+
+TEST(MappedPath, IsHeldOnlyByAxes) {
+  for (const bool at_once : {false, true}) {
+    MapRunTest test;
+    test.path().SetStopDecelerations(0.1, 0.1);
+    test.AddLine({1000, 500}, 2, 0.1);
+    test.Start();
+    test.RunFor(100);
+    at_once ? test.path().Halt() : test.path().Stop(false);
+    test.RunFor(19);
+    EXPECT_NE(test.running(), at_once);
+    test.RunFor(1);
+    EXPECT_FALSE(test.running());
+    EXPECT_FALSE(test.crd().map->held) << at_once;
+  }
 }
 
 TEST(MappedPath, AnAxisThatIsStoppedAloneLeavesTheMap) {
@@ -195,6 +215,7 @@ TEST(MappedPath, AnAxisThatIsStoppedAloneLeavesTheMap) {
   const double at = test.profile(1).position;
   test.core.AxisAt(1).Stop(false);
   EXPECT_TRUE(test.running());
+  EXPECT_FALSE(test.crd().map->held);
   EXPECT_FALSE(test.profile(1).moving);
   EXPECT_EQ(test.profile(1).velocity, 0);
   test.TimeToEnd();

@@ -12,8 +12,9 @@ int16_t GT_StrtList(Call& call) {
   path.list = {};
   path.list.started = path.list.open = true;
   path.break_point = {};
-  path.immediate = path.jumped = path.held = false;
+  path.immediate = path.jumped = false;
   motion::CrdDriver driver = DriverOf(call.card);
+  driver.ForgetHold();
   driver.Clear(kListFifo);
   driver.OpenList(kListFifo);
   return vm::kOk;

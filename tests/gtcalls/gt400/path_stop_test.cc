@@ -68,6 +68,32 @@ TEST(GtAutoStop, OfAnyAxisStopsThePathAtOnce) {
   }
 }
 
+// The host has commanded a stop already, whose end the path does not reach.
+TEST(GtAutoStop, OfAnyAxisIsToldOfAPathThatDeceleratesByCommand) {
+  for (const Cause& cause : kCauses) {
+    SCOPED_TRACE(cause.name);
+    PathTestCard card;
+    card.Do("GT_StrtList");
+    card.Do("GT_MvXY", {0, 0, 2, 0.01});
+    card.Do("GT_LnXY", {3000, 3000});
+    card.Do("GT_StrtMtn");
+    card.Run(500);
+    card.Do("GT_StpMtn");
+    card.Run(50);
+    EXPECT_GT(card.Velocity(), 1);
+    EXPECT_FALSE(card.PathBit(9));
+    cause.act(card);
+    card.Cycle();
+    EXPECT_EQ(card.PathStatus() & 0x2203, 0x0203);
+    EXPECT_EQ(card.Velocity(), 0);
+    EXPECT_EQ(card.Point("GT_GetBrkPnt"), card.Point());
+    // The next single segment has not been stopped.
+    card.Do("GT_CrdAuStpOff");
+    card.Do("GT_LnXY", {0, 0});
+    EXPECT_FALSE(card.PathBit(9));
+  }
+}
+
 TEST(GtAutoStop, IsSeenDirectlyAfterTheCommandThatCausesIt) {
   for (const char* name : {"GT_AbptStp", "GT_AxisOff"}) {
     PathTestCard card;
