@@ -60,6 +60,13 @@ struct AdvisedCommands {
 /// Family::cycles_before_act of a card on which its family has nothing to do.
 inline constexpr int64_t kNeverActs = std::numeric_limits<int64_t>::max();
 
+/// The virtual time of a call from the host. GTS manual 10.2: a host calls at a fifth of the card's
+/// rate; also the end of its chapter 7. Assumption: the same for families whose manuals name none.
+constexpr int64_t HostCallUs(const Command& command) {
+  constexpr int64_t kHostCallUs = 50;
+  return command.cost == Cost::kNone ? 0 : kHostCallUs;
+}
+
 /// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
   /// As in the names of its header and library: `gts`.
@@ -97,7 +104,7 @@ struct Family {
   /// Card::set_cycle_ns changes that. 0: a cycle takes what the configuration says, always.
   int64_t cycle_ns = 0;
   /// The virtual time of a call from the host, in microseconds.
-  int64_t (*cost_us)(const Command& command);
+  int64_t (*cost_us)(const Command& command) = HostCallUs;
   /// How many elements the arrays of a host have that a command with Passing::kHostMemory fills, as
   /// the card is now; nullptr: there is no such command.
   size_t (*array_elements)(const CardView& card) = nullptr;

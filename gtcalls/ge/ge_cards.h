@@ -1,12 +1,11 @@
-// What both families of GE cards have in common: codes, what a card is after a reset, how long a
-// call takes. Source: GE manual, table 2-1, 3.2.2, 6.7.2.1 and chapter 12.
+// What both families of GE cards have in common: codes, and what a card is after a reset. Source:
+// GE manual, table 2-1, 3.2.2, 6.7.2.1 and chapter 12.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <string_view>
 
-#include "gtcalls/catalogue.h"
 #include "gtcalls/ge/limits.h"
 #include "motion/common/card_defaults.h"
 
@@ -43,12 +42,5 @@ inline constexpr motion::CardDefaults kPulseDefaults = {
     .closed_loop = false,
     .following_error_limit = std::numeric_limits<int64_t>::max(),
     .following_error_stops = false};
-
-/// The virtual time of a call from the host. Assumption: the manual names none; a call of GTS takes
-/// as long.
-constexpr int64_t CostUs(const Command& command) {
-  constexpr int64_t kHostCallUs = 50;
-  return command.cost == Cost::kNone ? 0 : kHostCallUs;
-}
 
 }  // namespace oncard::gtcalls::ge

@@ -82,7 +82,6 @@ const Family& GepFamily() {
           },
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
-      .cost_us = ge::CostUs,
       .array_elements = ge::SamplesForHost,
       .status_word = gep::StatusWord,
       .mode_number = gep::ModeNumber,

@@ -98,7 +98,6 @@ const Family& GesFamily() {
           },
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
-      .cost_us = ge::CostUs,
       .array_elements = ge::SamplesForHost,
       .status_word = ges::StatusWord,
       .mode_number = [](motion::ProfileMode) { return 0; },

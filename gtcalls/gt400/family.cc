@@ -72,13 +72,6 @@ constexpr CardType kCardTypes[] = {
 #define FAMILY_COMMANDS "gtcalls/gt400/catalogue.def"
 #include "gtcalls/rows/functions.inc"
 
-/// The virtual time of a call from the host. Assumption: the manual names none; a call of GTS takes
-/// as long.
-int64_t CostUs(const Command& command) {
-  constexpr int64_t kHostCallUs = 50;
-  return command.cost == Cost::kNone ? 0 : kHostCallUs;
-}
-
 }  // namespace
 }  // namespace gt400
 
@@ -110,7 +103,6 @@ const Family& Gt400Family() {
       .card_types = gt400::kCardTypes,
       .default_card = gt400::kCardTypes[0],
       .cycle_ns = static_cast<int64_t>(kSampleTime * kNsPerUs),
-      .cost_us = gt400::CostUs,
       .status_word = gt400::StatusWord,
       .mode_number = gt400::ModeNumber,
       .new_state = [] { return FamilyState(Gt400State()); },

@@ -54,8 +54,6 @@ constexpr CardType kCardTypes[] = {
 constexpr const CardType& kDefaultCard = kCardTypes[1];
 static_assert(kDefaultCard.axis_count == motion::MotionConfig{}.axis_count);
 
-/// GTS manual 10.2: a host calls at a fifth of the card's rate; also the end of its chapter 7.
-constexpr int64_t kHostCallUs = 50;
 constexpr int64_t kMillisecondUs = 1000;
 /// Assumption: the time of one service of a slave on a bus.
 constexpr int64_t kMailboxUs = 4000;
@@ -67,11 +65,10 @@ int64_t CostUs(const Command& command) {
     case Cost::kMailbox:
       return kMailboxUs;
     case Cost::kNone:
-      return 0;
     case Cost::kHostCall:
       break;
   }
-  return kHostCallUs;
+  return HostCallUs(command);
 }
 
 FamilyState NewState() { return GtsState(); }

@@ -107,9 +107,6 @@ const Family& ToyFamily() {
       .card_types = kCardTypes,
       .default_card = kCardTypes[0],
       .cycle_ns = 1'000'000,
-      .cost_us = [](const Command& command) -> int64_t {
-        return command.cost == Cost::kNone ? 0 : 50;
-      },
       .array_elements = [](const CardView&) -> size_t { return 3; },
       .status_word = [](const CardView& card, size_t axis) { return card.motion.Conditions(axis); },
       .mode_number = [](motion::ProfileMode mode) { return static_cast<int>(mode); },
