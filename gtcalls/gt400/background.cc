@@ -89,22 +89,8 @@ uint32_t WriteResult(const Parameter& parameter, double value) {
       static_cast<int64_t>(motion::Whole(real ? value * FractionOf(parameter) : value)));
 }
 
-/// An Update takes effect in this tick. The axes of a mask are refused together.
-bool Update(Card& card, uint32_t mask) {
-  bool accepted = mask != 0;
-  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
-    if ((mask >> axis & 1) != 0 && WhyNoUpdate(card.view(), axis)) accepted = false;
-  }
-  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
-    if ((mask >> axis & 1) == 0) continue;
-    if (accepted) {
-      UpdateAtOnce(card, axis);
-    } else {
-      DropWaitingCommands(card, axis);
-    }
-  }
-  return accepted;
-}
+/// An Update takes effect in this tick.
+bool Update(Card& card, uint32_t axes) { return axes != 0 && !UpdateAtOnce(card, axes); }
 
 /// Executes a command, whose only parameter is its operand or its result; true if it is accepted.
 bool Execute(Card& card, const Command& command, std::span<uint8_t> memory) {

@@ -40,7 +40,7 @@ void MeetBreakpoints(Card& card) {
     if (!met) continue;
     state.breakpoint = Breakpoint::kNone;
     SetEvents(card, axis, kBreakpointBit);
-    if (state.auto_update) UpdateAtOnce(card, axis);
+    if (state.auto_update) UpdateAtOnce(card, 1u << axis);
   }
 }
 

@@ -146,8 +146,7 @@ TakenUpdate Take(Gt400Axis* axis) {
   return update;
 }
 
-}  // namespace
-
+/// Why an Update of the axis would be refused now; nothing if it would not.
 std::optional<Message> WhyNoUpdate(const CardView& card, size_t axis) {
   const Gt400Axis& state = card.state<Gt400State>().axes[axis];
   const ProfileMode mode = card.motion.profile(axis).mode;
@@ -172,14 +171,37 @@ std::optional<Message> WhyNoUpdate(const CardView& card, size_t axis) {
   return std::nullopt;
 }
 
-void DropWaitingCommands(Card& card, size_t axis) {
-  UpdateRequest& request = card.state<Gt400State>().axes[axis].request;
-  request.smooth_stop = request.synch_position = false;
+/// Updates the axes of a mask, all of them or none.
+std::optional<Message> UpdateAxes(Card& card, uint32_t axes, void (*update)(Card&, size_t)) {
+  const size_t count = card.motion.axis_count();
+  std::optional<Message> refusal;
+  motion::ForEachBit(axes, count, [&](size_t axis) {
+    if (!refusal) refusal = WhyNoUpdate(card.view(), axis);
+  });
+  motion::ForEachBit(axes, count, [&](size_t axis) {
+    if (refusal) {
+      UpdateRequest& request = card.state<Gt400State>().axes[axis].request;
+      request.smooth_stop = request.synch_position = false;
+    } else {
+      update(card, axis);
+    }
+  });
+  return refusal;
 }
 
-void TakeUpdate(Card& card, size_t axis) {
-  Gt400Axis& state = card.state<Gt400State>().axes[axis];
-  state.taken.Emplace(Take(&state));
+}  // namespace
+
+std::optional<Message> TakeUpdate(Card& card, uint32_t axes) {
+  return UpdateAxes(card, axes, [](Card& updated, size_t axis) {
+    Gt400Axis& state = updated.state<Gt400State>().axes[axis];
+    state.taken.Emplace(Take(&state));
+  });
+}
+
+std::optional<Message> UpdateAtOnce(Card& card, uint32_t axes) {
+  return UpdateAxes(card, axes, [](Card& updated, size_t axis) {
+    Apply(updated, axis, Take(&updated.state<Gt400State>().axes[axis]));
+  });
 }
 
 void ApplyTakenUpdates(Card& card) {
@@ -189,11 +211,6 @@ void ApplyTakenUpdates(Card& card) {
     Apply(card, axis, *taken);
     taken.Reset();
   }
-}
-
-void UpdateAtOnce(Card& card, size_t axis) {
-  if (WhyNoUpdate(card.view(), axis)) return DropWaitingCommands(card, axis);
-  Apply(card, axis, Take(&card.state<Gt400State>().axes[axis]));
 }
 
 }  // namespace oncard::gtcalls::gt400

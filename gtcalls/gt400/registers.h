@@ -29,15 +29,13 @@ constexpr uint16_t BitOf(Register which) {
   return static_cast<uint16_t>(1u << static_cast<unsigned>(which));
 }
 
-/// Why an Update of the axis would be refused now; nothing if it would not.
-std::optional<Message> WhyNoUpdate(const CardView& card, size_t axis);
-/// Forgets the waiting commands after a refusal, or every later Update would be refused, too.
-void DropWaitingCommands(Card& card, size_t axis);
-/// The Update of an axis takes effect at the next tick, with what waits now.
-void TakeUpdate(Card& card, size_t axis);
+/// The Update of the axes of a mask takes effect at the next tick, with what waits now. If one axis
+/// cannot be updated, none is: returns why, and the waiting commands of all of them are forgotten,
+/// or every later Update would be refused, too.
+std::optional<Message> TakeUpdate(Card& card, uint32_t axes);
+/// The same for an Update by the card itself, which takes effect at this instant.
+std::optional<Message> UpdateAtOnce(Card& card, uint32_t axes);
 /// In the tick: Updates that were taken take effect.
 void ApplyTakenUpdates(Card& card);
-/// An Update by the card itself takes effect at this instant, or is refused.
-void UpdateAtOnce(Card& card, size_t axis);
 
 }  // namespace oncard::gtcalls::gt400

@@ -48,34 +48,22 @@ int16_t GT_PrflG(Call& call) {
 
 namespace {
 
-/// Updates the axes of a mask, all of them or none.
-int16_t UpdateAxes(Call& call, uint32_t mask) {
+int16_t Update(Call& call, uint32_t axes) {
   if (call.ticked) return vm::kOk;
-  const auto for_each_axis = [&](const auto& visit) {
-    for (size_t axis = 0; axis < call.card.motion.axis_count(); ++axis) {
-      if ((mask >> axis & 1) != 0) visit(axis);
-    }
-  };
-  std::optional<Message> refusal;
-  for_each_axis([&](size_t axis) {
-    if (!refusal) refusal = WhyNoUpdate(call.card.view(), axis);
-  });
-  if (refusal) {
-    for_each_axis([&](size_t axis) { DropWaitingCommands(call.card, axis); });
+  if (auto refusal = TakeUpdate(call.card, axes)) {
     return RefuseFor(call, kInMotion, *std::move(refusal));
   }
-  for_each_axis([&](size_t axis) { TakeUpdate(call.card, axis); });
   return call.WaitForTick();
 }
 
 }  // namespace
 
-int16_t GT_Update(Call& call) { return UpdateAxes(call, uint32_t{1} << CurrentAxis(call)); }
+int16_t GT_Update(Call& call) { return Update(call, uint32_t{1} << CurrentAxis(call)); }
 
 int16_t GT_MltiUpdt(Call& call) {
   constexpr uint32_t kAxes = (1u << kAxisMax) - 1;
   const uint32_t mask = static_cast<uint32_t>(call.integer(0)) & kAxes;
-  if (mask != 0) return UpdateAxes(call, mask);
+  if (mask != 0) return Update(call, mask);
   return RefuseFor(call, kEmptyMask,
                    {"the mask names no axis; bit 0 is axis 1", "mask 未指定轴；第 0 位对应轴 1"});
 }
