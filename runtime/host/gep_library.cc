@@ -2,16 +2,11 @@
 // tests/families/ge/ge_family_test.cc.
 #include "gtcalls/ge/gep_family.h"
 #include "runtime/host/ge_library.h"
-#include "runtime/host/library.h"
 
 namespace oncard::runtime {
 
 const HostLibrary& Library() {
-  static const HostLibrary kLibrary = {.family = gtcalls::GepFamily(),
-                                       .services = kGeServices,
-                                       .card_of = GeCardOf,
-                                       .host_hears = HostHearsGe,
-                                       .tell_host = TellGeHost};
+  static const HostLibrary kLibrary = GeLibrary(gtcalls::GepFamily());
   return kLibrary;
 }
 

@@ -2,16 +2,11 @@
 // tests/families/ge/ge_family_test.cc.
 #include "gtcalls/ge/ges_family.h"
 #include "runtime/host/ge_library.h"
-#include "runtime/host/library.h"
 
 namespace oncard::runtime {
 
 const HostLibrary& Library() {
-  static const HostLibrary kLibrary = {.family = gtcalls::GesFamily(),
-                                       .services = kGeServices,
-                                       .card_of = GeCardOf,
-                                       .host_hears = HostHearsGe,
-                                       .tell_host = TellGeHost};
+  static const HostLibrary kLibrary = GeLibrary(gtcalls::GesFamily());
   return kLibrary;
 }
 
