@@ -377,6 +377,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ParseScenario, SaysWhatIsMissing) {
   EXPECT_THAT(ErrorOf("rate = 5\n"), HasSubstr("'program' is missing"));
+  EXPECT_THAT(ErrorOf("card = \"GE-800-PG\"\n"),
+              HasSubstr("the card GE-800-PG executes no motion programs, only the calls of a host: "
+                        "name it in 'host', or run it with 'oncard exec --scenario'"));
   EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[thread]]\npage = 1\n"),
               HasSubstr("'function' is missing"));
   EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[world.input]]\nat_ms = 1\n"),

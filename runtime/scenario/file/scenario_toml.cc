@@ -77,12 +77,11 @@ class ScenarioReader : private TomlKeys {
     // A host program has no time limit unless the file sets one.
     if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
     ReadKeys(table, ScenarioKeys(), *this, &scenario_);
-    if (use_ != ScenarioUse::kHost && !table.contains("program") && !NamesHostProgram(table)) {
-      Fail(table.source(), {"'program' is missing: name a .c or .bin file",
-                            "缺少“program”：应给出 .c 或 .bin 文件"});
-    }
     ReadDouble(table);
     ReadCard(table);
+    if (use_ != ScenarioUse::kHost && !table.contains("program") && !NamesHostProgram(table)) {
+      Fail(table.source(), DescribeMissingProgram());
+    }
     CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
@@ -166,6 +165,20 @@ class ScenarioReader : private TomlKeys {
                        "控制卡 {0} 的周期由其自身决定：应去掉“cycle_us”", scenario_.card));
     }
     if (!card->family->HasPrograms()) RefuseProgramKeys(table);
+  }
+
+  Message DescribeMissingProgram() const {
+    const auto card = gtcalls::FindCard(scenario_.card);
+    if (!card || card->family->HasPrograms()) {
+      return {"'program' is missing: name a .c or .bin file",
+              "缺少“program”：应给出 .c 或 .bin 文件"};
+    }
+    return MakeMessage(
+        "the card {0} executes no motion programs, only the calls of a host: name it in 'host', or "
+        "run it with 'oncard exec --scenario'",
+        "控制卡 {0} 不执行运动程序，只执行主机的调用：应在“host”中给出主机程序，或用“oncard exec "
+        "--scenario”运行它",
+        scenario_.card);
   }
 
   /// The text of a scenario without a program has an empty one.
