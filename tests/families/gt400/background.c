@@ -6,6 +6,7 @@
 
 #include "GT400.H"
 #include "Gt400.h"
+#include "gt400.h"
 
 static void Fill(PGENERAL_COMMAND command, unsigned short number, uint32_t input, uint32_t output) {
   command->usCommand = number;
