@@ -199,15 +199,16 @@ void CrdDriver::Resume(size_t fifo, const PathSlot& back) {
 
 void CrdDriver::Stop(bool abrupt) {
   card_.LeaveLanes();
+  const bool ran = crd_.run.running;
   crd_.Stop(abrupt, card_.now());
-  if (!crd_.run.running) Write();
+  WriteEnd(ran);
 }
 
 void CrdDriver::Halt() {
   card_.LeaveLanes();
   const bool ran = crd_.run.running;
   crd_.Halt();
-  if (ran) Write();
+  WriteEnd(ran);
 }
 
 void CrdDriver::StopFor(size_t profile, bool abrupt) {
@@ -221,8 +222,7 @@ void CrdDriver::CloseList(size_t fifo) {
   card_.LeaveLanes();
   const bool ran = crd_.run.running;
   crd_.CloseList(fifo);
-  // At rest the profiles may have been placed elsewhere.
-  if (ran && !crd_.run.running) Write();
+  WriteEnd(ran);
 }
 
 void CrdDriver::Advance() {
@@ -358,6 +358,10 @@ void CrdDriver::WriteMapped(const Coordinates& tangent, const Coordinates& curva
         run.running};
     member.driven = run.running;
   }
+}
+
+void CrdDriver::WriteEnd(bool ran) {
+  if (ran && !crd_.run.running) Write();
 }
 
 }  // namespace oncard::motion

@@ -128,6 +128,9 @@ class CrdDriver {
   void Write();
   /// The same for the profiles of mapped axes.
   void WriteMapped(const Coordinates& tangent, const Coordinates& curvature);
+  /// Writes them after a verb that may have ended a run; `ran`: there was one. Without a run they
+  /// may have been placed elsewhere, or have left.
+  void WriteEnd(bool ran);
 
   Crd& crd_;
   CrdPort card_;

@@ -151,6 +151,21 @@ TEST(Stop, WithBothBitsOfACoordinateSystemIsAbruptIfOneIs) {
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 155);
 }
 
+TEST(Stop, OfACoordinateSystemAtRestMovesNoProfile) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Call("GT_SetPrfPos", {1, 5}), 0);
+  EXPECT_EQ(card.Call("GT_Stop", {1 << 8, 0}), 0);
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 5);
+  // A profile that has left it.
+  card.MoveTo(2, 100, 1);
+  card.Cycles(20);
+  EXPECT_EQ(card.Call("GT_Stop", {1 << 8, 0}), 0);
+  EXPECT_EQ(card.Status(2) & kMoving, kMoving);
+  card.CyclesToRest(2);
+  EXPECT_EQ(card.Read("GT_GetPrfPos", 2), 100);
+}
+
 TEST(Stop, IgnoresTheOptionOfABitThatTheMaskDoesNotHave) {
   CrdCommandCard card;
   card.SetUp();

@@ -196,6 +196,15 @@ TEST(CrdStop, GoesOnInTheNextSegment) {
   EXPECT_NEAR(test.profile(1).position, 100, 1e-9);
 }
 
+TEST(CrdStop, AtRestLeavesProfilesWhereTheyHaveBeenPlaced) {
+  CrdRunTest test;
+  test.core.ProfileAt(0).SetPosition(5);
+  test.core.CrdAt(0).Stop(false);
+  test.core.CrdAt(0).Halt();
+  test.core.CrdAt(0).CloseList(0);
+  EXPECT_EQ(test.profile(0).position, 5);
+}
+
 TEST(CrdStop, AStopOfOneMemberStopsAll) {
   CrdRunTest test;
   ASSERT_TRUE(test.Line({3000, 4000}, 20, 1));
