@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/tools/process.h"
+#include "tests/families/family_hosts.h"
 
 namespace oncard::tools {
 namespace {
@@ -16,23 +16,12 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kFolder = ONCARD_TOY_FOLDER;
-
-/// The command oncard that knows the family.
-ProcessResult RunToy(std::vector<std::string> arguments, const ScratchFolder& folder,
-                     const std::vector<std::string>& environment = {}) {
-  arguments.insert(arguments.begin(), kFolder + "/bin/oncard_toy");
-  return RunProgram(arguments, folder.path(), environment);
-}
-
 class ToyFamily : public testing::TestWithParam<const char*> {
  protected:
   /// Runs the host under `oncard exec` with some options.
-  ProcessResult Exec(std::vector<std::string> options,
+  ProcessResult Exec(const std::vector<std::string>& options,
                      const std::vector<std::string>& environment = {}) const {
-    options.insert(options.begin(), "exec");
-    options.insert(options.end(), {"--", kFolder + "/toy_host_" + GetParam()});
-    return RunToy(options, folder_, environment);
+    return tools::Exec(std::string("toy_host_") + GetParam(), options, environment, folder_);
   }
 
   ScratchFolder folder_;
@@ -62,12 +51,11 @@ TEST_P(ToyFamily, IsReplayedFromItsRecord) {
   ASSERT_EQ(Exec({"--card=TOY-3", "--record=host.calls"}).exit_code, 0);
   const std::string record = folder_.Read("host.calls");
   EXPECT_THAT(record, AllOf(HasSubstr(R"(card = \"TOY-3\")"), HasSubstr(R"("call":"TOY_Move")")));
-  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder_);
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder_);
   // With another velocity the card is in another state at the end.
   std::string changed = record;
   folder_.Write("host.calls", changed.replace(changed.find("[10,1]"), 6, "[11,1]"));
-  EXPECT_NE(RunToy({"replay", "host.calls"}, folder_).exit_code, 0);
+  EXPECT_NE(RunFamilyOncard({"replay", "host.calls"}, folder_).exit_code, 0);
   // A command oncard without the family says which cards it knows.
   folder_.Write("host.calls", record);
   EXPECT_THAT(RunOncard({"replay", "host.calls"}, folder_.path()).err,
@@ -111,8 +99,7 @@ TEST_P(ToyFamily, RefusesTheCardOfAnotherFamily) {
 // again: the call that is made meanwhile acts, and is not told.
 TEST(ToyHook, HearsOfCallsAndMayMakeOthers) {
   const ScratchFolder folder;
-  const ProcessResult host =
-      RunToy({"exec", "--", kFolder + "/toy_hook"}, folder, {"ONCARD_LOG=calls:log.txt"});
+  const ProcessResult host = Exec("toy_hook", {}, {"ONCARD_LOG=calls:log.txt"}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out,
             "TOY_Move(1, {velocity=10, acceleration=1}) = -1\n"
@@ -145,22 +132,21 @@ expect = [
   "axis1.prfPos == 445 @ 5ms",
 ]
 )");
-  const ProcessResult host = RunToy({"exec", "--scenario=cycle.host.toml", "--trace=cycle.csv",
-                                     "--record=host.calls", "--", kFolder + "/toy_cycle"},
-                                    folder);
+  const ProcessResult host =
+      Exec("toy_cycle", {"--scenario=cycle.host.toml", "--trace=cycle.csv", "--record=host.calls"},
+           {}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   const std::string trace = folder.Read("cycle.csv");
   EXPECT_THAT(trace,
               AllOf(HasSubstr("\n3,25.0\n3.048,35.0\n3.096,45.0\n"), EndsWith("\n5.017,445.0\n")));
-  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 // The call begins 0.05 ms after the one before it has ended, and ends with the cycle.
 TEST(ToyTick, LetsTimePassToTheEndOfTheCycle) {
   const ScratchFolder folder;
-  const ProcessResult host = RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_tick"},
-                                    folder, {"ONCARD_LOG=calls:log.txt"});
+  const ProcessResult host =
+      Exec("toy_tick", {"--record=host.calls"}, {"ONCARD_LOG=calls:log.txt"}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(folder.Read("log.txt"),
             "0.000 card0 TOY_Open(0) = 0\n"
@@ -169,8 +155,7 @@ TEST(ToyTick, LetsTimePassToTheEndOfTheCycle) {
             "1.050 card0 TOY_Tick(pCycle) = 0, pCycle=[2]\n"
             "2.050 card0 TOY_Move(2, {velocity=10, acceleration=10}) = 0\n"
             "2.050 card0 TOY_Close() = 0\n");
-  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 // The scenario is over before the second cycle ends.
@@ -178,8 +163,7 @@ TEST(ToyTick, WaitsNoLongerThanTheScenarioLasts) {
   const ScratchFolder folder;
   folder.Write("tick.host.toml",
                "card = \"TOY-3\"\nuntil_ms = 1\nexpect = [\"axis1.prfPos == 5 @ 1ms\"]\n");
-  const ProcessResult host =
-      RunToy({"exec", "--scenario=tick.host.toml", "--", kFolder + "/toy_tick"}, folder);
+  const ProcessResult host = Exec("toy_tick", {"--scenario=tick.host.toml"}, {}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
 }
 
@@ -187,16 +171,14 @@ TEST(ToyTick, WaitsNoLongerThanTheScenarioLasts) {
 // velocity of axis 2, whose array is that of axis 1, is left out.
 TEST(ToySample, FillsTheArraysOfTheHost) {
   const ScratchFolder folder;
-  const ProcessResult host =
-      RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_sample"}, folder);
+  const ProcessResult host = Exec("toy_sample", {"--record=host.calls"}, {}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out, "45 10 0\n35 10 0\n25 10 0\n-1 -1 -1\n0\n7\n0 276\n");
   // Which arrays there were is in the record, and the bytes that have been read.
   EXPECT_THAT(folder.Read("host.calls"),
               AllOf(HasSubstr("[[1,1,1,0]]"), HasSubstr("[[1,0,1,0]]"), HasSubstr("[[1,0,0,1]]"),
                     HasSubstr("[[1,20,255],3,true]")));
-  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 // --- Interrupts ----------------------------------------------------------------------------------
@@ -206,8 +188,8 @@ TEST(ToySample, FillsTheArraysOfTheHost) {
 // when interrupts are enabled again. That of cycle 60 comes while the handler runs.
 TEST(ToyInterrupts, RunAHandlerInsideTheCallsOfTheHost) {
   const ScratchFolder folder;
-  const ProcessResult host = RunToy({"exec", "--record=host.calls", "--", kFolder + "/toy_handler"},
-                                    folder, {"ONCARD_LOG=calls:log.txt"});
+  const ProcessResult host =
+      Exec("toy_handler", {"--record=host.calls"}, {"ONCARD_LOG=calls:log.txt"}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(folder.Read("log.txt"),
             "0.000 card0 TOY_Open(0) = 0\n"
@@ -231,17 +213,16 @@ TEST(ToyInterrupts, RunAHandlerInsideTheCallsOfTheHost) {
             "62.100 card0 TOY_OnInterrupt(NULL) = 0\n"
             "70.000 card0: interrupt in cycle 70\n"
             "72.100 card0 TOY_Close() = 0\n");
-  const ProcessResult replay = RunToy({"replay", "host.calls"}, folder);
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 TEST(ToyInterrupts, AreTheSameInEveryRun) {
   std::vector<std::string> logs;
-  for (const char* host : {"/toy_handler", "/toy_events"}) {
+  for (const char* host : {"toy_handler", "toy_events"}) {
     for (int run = 0; run < 2; ++run) {
       const ScratchFolder folder;
-      const ProcessResult ran = RunToy({"exec", "--record=host.calls", "--", kFolder + host},
-                                       folder, {"ONCARD_LOG=calls:log.txt"});
+      const ProcessResult ran =
+          Exec(host, {"--record=host.calls"}, {"ONCARD_LOG=calls:log.txt"}, folder);
       logs.push_back(ran.out + folder.Read("log.txt") + folder.Read("host.calls"));
     }
     EXPECT_EQ(logs.end()[-1], logs.end()[-2]) << host;
@@ -250,8 +231,7 @@ TEST(ToyInterrupts, AreTheSameInEveryRun) {
 
 // Both threads wait until the tick of the interrupt.
 TEST(ToyInterrupts, WakeTheThreadThatWaitsForTheEvent) {
-  const ScratchFolder folder;
-  const ProcessResult host = RunToy({"exec", "--", kFolder + "/toy_events"}, folder);
+  const ProcessResult host = Exec("toy_events");
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out,
             "1: 0 at 10\n"
@@ -264,8 +244,9 @@ TEST(ToyInterrupts, WakeTheThreadThatWaitsForTheEvent) {
 // The thread or the loop that waits lets the card go on: without that this would not end.
 TEST(ToyInterrupts, ComeWithTheRealClock) {
   const ScratchFolder folder;
-  for (const char* host : {"/toy_handler", "/toy_events"}) {
-    const ProcessResult ran = RunProgram({kFolder + host}, folder.path(), {"ONCARD_CLOCK=real"});
+  for (const char* host : {"toy_handler", "toy_events"}) {
+    const ProcessResult ran =
+        RunProgram({kHostFolder + "/" + host}, folder.path(), {"ONCARD_CLOCK=real"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
   }
 }
@@ -273,9 +254,7 @@ TEST(ToyInterrupts, ComeWithTheRealClock) {
 // 258 is a time-out, 4294967295 a failure. Nothing can set the event of the last wait: it fails
 // after 60 s of virtual time.
 TEST(ToyInterrupts, WaitsEndAsWindowsSays) {
-  const ScratchFolder folder;
-  const ProcessResult host =
-      RunToy({"exec", "--", kFolder + "/toy_waits"}, folder, {"ONCARD_LANG=en"});
+  const ProcessResult host = Exec("toy_waits", {}, {"ONCARD_LANG=en"});
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out,
             "manual 0 at 0\n"
@@ -297,15 +276,14 @@ TEST(ToyInterrupts, AScenarioEndsAHostThatWaits) {
   const ScratchFolder folder;
   folder.Write("events.host.toml",
                "card = \"TOY-2\"\nuntil_ms = 15\nexpect = [\"axis2.prfPos == 95 @ 10ms\"]\n");
-  const ProcessResult host =
-      RunToy({"exec", "--scenario=events.host.toml", "--", kFolder + "/toy_events"}, folder);
+  const ProcessResult host = Exec("toy_events", {"--scenario=events.host.toml"}, {}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out, "1: 0 at 10\n");
 }
 
 TEST(ToyCommands, AreListed) {
   const ScratchFolder folder;
-  const ProcessResult doctor = RunToy({"doctor", "--commands", "--family=toy"}, folder);
+  const ProcessResult doctor = RunFamilyOncard({"doctor", "--commands", "--family=toy"}, folder);
   EXPECT_THAT(doctor.out, AllOf(HasSubstr("TOY_Move"), Not(HasSubstr("not supported"))));
 }
 

@@ -4,24 +4,13 @@
 
 #include <sstream>
 #include <string>
-#include <vector>
 
-#include "tests/tools/process.h"
+#include "tests/families/family_hosts.h"
 
 namespace oncard::tools {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string kFolder = ONCARD_GE_FOLDER;
-
-ProcessResult Exec(const std::string& host, std::vector<std::string> options = {},
-                   const std::vector<std::string>& environment = {}) {
-  const ScratchFolder folder;
-  options.insert(options.begin(), "exec");
-  options.insert(options.end(), {"--", kFolder + "/" + host});
-  return RunOncard(options, folder.path(), environment);
-}
 
 class GeHost : public testing::TestWithParam<const char*> {};
 
@@ -93,26 +82,24 @@ TEST(GeCards, AreNamedByTheEnvironmentOrTheScenario) {
 }
 
 TEST(GeHostRecord, IsReplayed) {
-  for (const char* host : {"/ge_host_c", "/ge_watch"}) {
+  for (const char* host : {"ge_host_c", "ge_watch"}) {
+    SCOPED_TRACE(host);
     const ScratchFolder folder;
-    ASSERT_EQ(
-        RunOncard({"exec", "--record=host.calls", "--", kFolder + host}, folder.path()).exit_code,
-        0);
-    const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
-    EXPECT_EQ(replay.exit_code, 0) << host << replay.err;
+    ASSERT_EQ(Exec(host, {"--record=host.calls"}, {}, folder).exit_code, 0);
+    ExpectReplay(folder);
   }
 }
 
 TEST(GeCommands, AreAllImplemented) {
   const ScratchFolder folder;
-  const ProcessResult doctor = RunOncard({"doctor", "--commands", "--family=gep"}, folder.path());
+  const ProcessResult doctor = RunFamilyOncard({"doctor", "--commands", "--family=gep"}, folder);
   EXPECT_THAT(doctor.out, HasSubstr("GT_Update"));
   EXPECT_THAT(doctor.out, testing::Not(HasSubstr("not supported")));
 }
 
 TEST(GeCommands, OfPathCardsLackOnlyWhatNoDocumentDescribes) {
   const ScratchFolder folder;
-  const ProcessResult doctor = RunOncard({"doctor", "--commands", "--family=ges"}, folder.path());
+  const ProcessResult doctor = RunFamilyOncard({"doctor", "--commands", "--family=ges"}, folder);
   size_t lacking = 0;
   std::istringstream lines(doctor.out);
   for (std::string line; std::getline(lines, line);) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/tools/process.h"
+#include "tests/families/family_hosts.h"
 
 namespace oncard::tools {
 namespace {
@@ -13,16 +13,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::string kFolder = ONCARD_GT400_FOLDER;
-
-ProcessResult Exec(const std::string& host, std::vector<std::string> options = {},
-                   const std::vector<std::string>& environment = {},
-                   const ScratchFolder& folder = ScratchFolder()) {
-  options.insert(options.begin(), "exec");
-  options.insert(options.end(), {"--", kFolder + "/" + host});
-  return RunOncard(options, folder.path(), environment);
-}
 
 // --- Headers -------------------------------------------------------------------------------------
 
@@ -128,8 +118,7 @@ TEST(Gt400Cards, HaveALogAndARecordIfTheHostUsesThem) {
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_THAT(folder.Read("log.txt"),
               AllOf(HasSubstr("10.200 card15 GT_SetPos(7) = 0\n"), Not(HasSubstr("card1 "))));
-  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 // What the host expects of a card it can expect only of those that it uses.
@@ -206,8 +195,7 @@ TEST(Gt400Interrupts, CallAHandler) {
                          HasSubstr(" card0 GT_SetPos(20000) = 0\n"),
                          HasSubstr(" card0: irq time\n"), HasSubstr(" card0 GT_ClearInt(0) = 0\n"),
                          HasSubstr("no handler is hooked, call GT_HookIsr first")));
-  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 // TmrIntr acts at 0.1 ms, before the first tick: time interrupts at ticks 100 and 200. The Update
@@ -229,8 +217,7 @@ TEST(Gt400Interrupts, SetAnEventForWhichAThreadWaits) {
             "target 50, position 100\n"
             "closed: 1\n"
             "closed event: -1\n");
-  const ProcessResult replay = RunOncard({"replay", "host.calls"}, folder.path());
-  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  ExpectReplay(folder);
 }
 
 TEST(Gt400Interrupts, AreTheSameInEveryRun) {
@@ -264,7 +251,7 @@ TEST(Gt400Warnings, TellWhatStopsAnAxisInTheTimeOfTheHost) {
 TEST(Gt400Library, IsFoundByItsNameOnWindows) {
   const ScratchFolder folder;
   const ProcessResult host =
-      RunOncard({"exec", "--", kFolder + "/gt400_loaded", ONCARD_GT400_DLL}, folder.path());
+      RunFamilyOncard({"exec", "--", kHostFolder + "/gt400_loaded", ONCARD_GT400_DLL}, folder);
   EXPECT_EQ(host.exit_code, 0) << host.err;
   EXPECT_EQ(host.out, "clock 5000\n");
 }
