@@ -3,19 +3,15 @@
 // family.
 // tests/web/record_equality_test.mjs gives the requests to the module.
 //   web_record_requests REQUESTS ANSWERS
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
-#include "base/json_text.h"
 #include "gtcalls/card_type.h"
 #include "gtcalls/families.h"
 #include "tests/runtime/recording_host.h"
-#include "web/wasm/module_host.h"
-#include "web/wasm/record_reader.h"
+#include "tests/web/request_files.h"
 
 namespace oncard::web {
 namespace {
@@ -103,25 +99,10 @@ std::vector<Json> Requests() {
   return requests;
 }
 
-Result<void> Write(const std::string& requests_path, const std::string& answers_path) {
-  ModuleHost host(RecordReader());
-  std::string requests;
-  std::string answers;
-  for (const Json& request : Requests()) {
-    const std::string text = JsonText(request);
-    requests += text + '\n';
-    answers += host.Handle(text);
-  }
-  if (auto written = WriteFileAtomically(requests_path, requests); !written.ok()) return written;
-  return WriteFileAtomically(answers_path, answers);
-}
-
 }  // namespace
 }  // namespace oncard::web
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  const auto written = oncard::web::Write(argv[1], argv[2]);
-  if (!written.ok()) std::cerr << written.error().message.en << '\n';
-  return written.ok() ? 0 : 1;
+  return oncard::web::WriteRequests(oncard::web::Requests(), argv[1], argv[2]);
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -15,14 +14,12 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/json_text.h"
 #include "fixed_program.h"
 #include "moving_program.h"
 #include "random_program.h"
 #include "session/editor_requests.h"
 #include "structured_program.h"
-#include "web/wasm/module_host.h"
-#include "web/wasm/record_reader.h"
+#include "tests/web/request_files.h"
 
 namespace oncard::web {
 namespace {
@@ -187,26 +184,10 @@ std::vector<Json> Requests(const fs::path& samples) {
   return requests;
 }
 
-Result<void> Write(const fs::path& samples, const std::string& requests_path,
-                   const std::string& answers_path) {
-  ModuleHost host(RecordReader());
-  std::string requests;
-  std::string answers;
-  for (const Json& request : Requests(samples)) {
-    const std::string text = JsonText(request);
-    requests += text + '\n';
-    answers += host.Handle(text);
-  }
-  if (auto written = WriteFileAtomically(requests_path, requests); !written.ok()) return written;
-  return WriteFileAtomically(answers_path, answers);
-}
-
 }  // namespace
 }  // namespace oncard::web
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;
-  const auto written = oncard::web::Write(argv[1], argv[2], argv[3]);
-  if (!written.ok()) std::cerr << written.error().message.en << '\n';
-  return written.ok() ? 0 : 1;
+  return oncard::web::WriteRequests(oncard::web::Requests(argv[1]), argv[2], argv[3]);
 }
