@@ -65,10 +65,14 @@ void CrdFifo::LeaveLineBack() {
   interruption.Reset();
 }
 
-PathSlot* CrdFifo::LastSegment() {
-  if (PathSlot* last = slots.LastSegment()) return last;
+PathSlot* CrdFifo::Begun() {
   if (interruption) return interruption->executing ? &interruption->slot : nullptr;
   return executing ? &current : nullptr;
+}
+
+PathSlot* CrdFifo::LastSegment() {
+  PathSlot* last = slots.LastSegment();
+  return last != nullptr ? last : Begun();
 }
 
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
@@ -130,12 +134,8 @@ Coordinates Crd::FirstDirection() const {
   if (fifo.executing) return fifo.current.segment.TangentAt(fifo.path);
   if (fifo.slots.empty() || !fifo.slots.front().is_segment) return {};
   const PathSlot& first = fifo.slots.front();
-  if (!first.approach.in_use()) return first.segment.TangentAt(0);
-  Coordinates way{};
-  for (size_t i = 0; i < way.size(); ++i) {
-    if ((first.approach.axes >> i & 1) != 0) way[i] = first.segment.end[i] - position[i];
-  }
-  return way;
+  return first.approach.in_use() ? Between(position, ApproachEnd(first))
+                                 : first.segment.TangentAt(0);
 }
 
 double Crd::VelocityLimit(const Segment& segment) const {
@@ -235,8 +235,7 @@ void Crd::CloseList(size_t fifo) {
 void Crd::LimitJoints(Micros now) {
   for (CrdFifo& fifo : fifos) {
     SlotQueue& slots = fifo.slots;
-    PathSlot* before = nullptr;
-    if (fifo.executing) before = fifo.interruption ? &fifo.interruption->slot : &fifo.current;
+    PathSlot* before = fifo.Begun();
     for (size_t i = 0; i < slots.size(); ++i) {
       LimitJoint(fifo.list, before, slots.At(i));
       before = &slots.At(i);
@@ -404,13 +403,17 @@ void Crd::EndSegment() {
   if (step_mode || run.single_step) EndRun();
 }
 
-bool Crd::MakeApproach(CrdFifo& fifo) const {
-  PathSlot& slot = fifo.current;
+Coordinates Crd::ApproachEnd(const PathSlot& slot) const {
   Coordinates end = position;
   for (size_t i = 0; i < end.size(); ++i) {
     if ((slot.approach.axes >> i & 1) != 0) end[i] = slot.segment.end[i];
   }
-  const std::optional<Segment> line = MakeLine(position, end);
+  return end;
+}
+
+bool Crd::MakeApproach(CrdFifo& fifo) const {
+  PathSlot& slot = fifo.current;
+  const std::optional<Segment> line = MakeLine(position, ApproachEnd(slot));
   if (line) slot.segment = *line;
   return line.has_value();
 }

@@ -109,12 +109,15 @@ struct CrdFifo {
   bool is_virtual() const { return planner && planner->virtual_run.on; }
   /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
   Coordinates& Tail() { return is_virtual() ? planner->virtual_run.end : tail; }
+  const Coordinates& Tail() const { return is_virtual() ? planner->virtual_run.end : tail; }
   /// Where the path goes on.
   Coordinates Breakpoint() const {
     return interruption ? interruption->slot.segment.PointAt(interruption->path)
                         : current.segment.PointAt(path);
   }
-  const Coordinates& Tail() const { return is_virtual() ? planner->virtual_run.end : tail; }
+  /// The segment that has begun and not ended, also during the line back to it; nullptr if there is
+  /// none.
+  PathSlot* Begun();
   /// The segment that ends last, unless it has ended; nullptr if there is none.
   PathSlot* LastSegment();
   size_t space() const { return kCrdFifoSize - slots.size(); }
@@ -320,6 +323,8 @@ struct Crd {
   void AwaitData();
   void EndPlan();
   void TakeSlot();
+  /// Where an approach from the position ends.
+  Coordinates ApproachEnd(const PathSlot& slot) const;
   /// Makes the line of the current slot, an approach, from the position; false if it has no length,
   /// and then nothing has changed.
   bool MakeApproach(CrdFifo& fifo) const;
