@@ -387,19 +387,52 @@ constexpr Change kUnlanedChanges[] = {
     {"SetVelocity", [](MotionCore& core) { core.ProfileAt(1).SetVelocity(7); }},
     {"SetTarget", [](MotionCore& core) { core.ProfileAt(1).SetTarget(7); }},
     {"SetParameters", [](MotionCore& core) { core.ProfileAt(1).SetParameters(TrapParameters{}); }},
+    {"SetParameters, mode Jog",
+     [](MotionCore& core) { core.ProfileAt(1).SetParameters(JogParameters{}); }},
+    {"SetSCurve", [](MotionCore& core) { core.ProfileAt(1).SetSCurve({}, 7); }},
+    {"ReserveReplanning", [](MotionCore& core) { core.ProfileAt(1).ReserveReplanning(); }},
     {"SetStopDecelerations",
      [](MotionCore& core) { core.ProfileAt(1).SetStopDecelerations(1, 2); }},
     {"CrdDriver::SetStopDecelerations",
      [](MotionCore& core) { core.CrdAt(0).SetStopDecelerations(1, 2); }},
+    {"SetLimitStop", [](MotionCore& core) { core.CrdAt(0).SetLimitStop(true); }},
+    {"SetVelocityMax", [](MotionCore& core) { core.CrdAt(0).SetVelocityMax(0, 5); }},
+    {"SetPathVelocityMax", [](MotionCore& core) { core.CrdAt(0).SetPathVelocityMax(5); }},
+    {"SetStartVelocity", [](MotionCore& core) { core.CrdAt(0).SetStartVelocity(5); }},
+    {"SetOrigin", [](MotionCore& core) { core.CrdAt(0).SetOrigin(0, 5); }},
+    {"SetStepMode", [](MotionCore& core) { core.CrdAt(0).SetStepMode(true); }},
     {"SetOverride", [](MotionCore& core) { core.CrdAt(0).SetOverride(0.5); }},
+    {"SetSecondOverride", [](MotionCore& core) { core.CrdAt(0).SetSecondOverride(0.5); }},
+    {"registers of a map",
+     [](MotionCore& core) {
+       core.CrdAt(0).BeginMap();
+       core.CrdAt(0).SetJump(0, 5);
+       core.CrdAt(0).SetStopsTogether(false);
+       core.CrdAt(0).ForgetHold();
+     }},
+    {"what fills a FIFO",
+     [](MotionCore& core) {
+       core.CrdAt(0).SetJoints(0, JointRule::kFeeds);
+       core.CrdAt(0).BeginLookAhead(0, 5, 1, 200);
+       core.CrdAt(0).Append(0, {});
+       core.CrdAt(0).Flush(0);
+       core.CrdAt(0).OpenList(0);
+       core.CrdAt(0).RestAfterLast(0);
+       core.CrdAt(0).SetTail(0, {5});
+       core.CrdAt(0).DropPlanners();
+       core.CrdAt(0).Clear(0);
+     }},
     {"SetUserNumber", [](MotionCore& core) { core.CrdAt(0).SetUserNumber(0, 5); }},
     {"StepHandle::SetMode", [](MotionCore& core) { core.StepAt(1).SetMode(1); }},
+    {"StepHandle::SetParameter", [](MotionCore& core) { core.StepAt(1).SetParameter(1); }},
     {"laser", [](MotionCore& core) { core.laser(0).on = true; }},
     {"module", [](MotionCore& core) { core.module(0).outputs = 3; }},
     {"SetPvtTable", [](MotionCore& core) { core.SetPvtTable(0, nullptr); }},
     {"SetAdcFilter", [](MotionCore& core) { core.SetAdcFilter(0, 4); }},
+    {"SetEnableAxis", [](MotionCore& core) { core.SetEnableAxis(0, 1); }},
     {"SetGantryErrorLimit", [](MotionCore& core) { core.SetGantryErrorLimit(9); }},
     {"ReserveReached", [](MotionCore& core) { core.ReserveReached(); }},
+    {"ClearReached", [](MotionCore& core) { core.ClearReached(); }},
 };
 
 TEST(LoadedLanes, StayLoadedWhileWhatTheyDoNotHoldIsChanged) {
