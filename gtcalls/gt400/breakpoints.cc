@@ -1,5 +1,6 @@
 #include "gtcalls/gt400/breakpoints.h"
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/registers.h"
 
@@ -7,7 +8,7 @@ namespace oncard::gtcalls::gt400 {
 namespace {
 
 bool IsMet(const CardView& card, size_t axis) {
-  const Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  const Gt400Axis& state = AxisState(card, axis);
   const double actual = card.motion.encoder(axis).position;
   switch (state.breakpoint) {
     case Breakpoint::kNone:
@@ -27,14 +28,14 @@ bool IsMet(const CardView& card, size_t axis) {
 }  // namespace
 
 void SetBreakpoint(Card& card, size_t axis, Breakpoint breakpoint) {
-  Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  Gt400Axis& state = AxisState(card, axis);
   state.breakpoint = breakpoint;
   state.new_events = 0;
 }
 
 void MeetBreakpoints(Card& card) {
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
-    Gt400Axis& state = card.state<Gt400State>().axes[axis];
+    Gt400Axis& state = AxisState(card, axis);
     const bool met = IsMet(card.view(), axis);
     state.new_events = 0;
     if (!met) continue;

@@ -4,6 +4,7 @@
 
 #include "gtcalls/card.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/gt400_state.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {

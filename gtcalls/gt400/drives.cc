@@ -1,27 +1,23 @@
 #include "gtcalls/gt400/drives.h"
 
-#include "gtcalls/gt400/gt400_state.h"
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/shared/drives.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
 
-const Gt400Axis& StateOf(const Card& card, size_t axis) {
-  return card.state<Gt400State>().axes[axis];
-}
-
 void UpdateErrorLimit(Card& card, size_t axis) {
-  LimitFollowingError(axis, StateOf(card, axis).valid.error_limit, card.motion);
+  LimitFollowingError(axis, AxisState(card, axis).valid.error_limit, card.motion);
 }
 
 }  // namespace
 
 bool IsAnalogue(const Card& card, size_t axis) {
-  return HasVoltages(card.motion) && !StateOf(card, axis).pulses;
+  return HasVoltages(card.motion) && !AxisState(card, axis).pulses;
 }
 
 bool IsInOpenLoop(const Card& card, size_t axis) {
-  return IsAnalogue(card, axis) && StateOf(card, axis).open_loop;
+  return IsAnalogue(card, axis) && AxisState(card, axis).open_loop;
 }
 
 bool CanPlan(const Card& card, size_t axis) {
@@ -30,7 +26,7 @@ bool CanPlan(const Card& card, size_t axis) {
 }
 
 void ConnectDrive(Card& card, size_t axis) {
-  SwitchOutput(axis, IsAnalogue(card, axis), StateOf(card, axis).open_loop, card.motion);
+  SwitchOutput(axis, IsAnalogue(card, axis), AxisState(card, axis).open_loop, card.motion);
   UpdateOutput(card, axis);
   UpdateErrorLimit(card, axis);
   if (card.motion.axis(axis).servo_on) card.motion.AxisAt(axis).RestartDrive();
@@ -39,7 +35,7 @@ void ConnectDrive(Card& card, size_t axis) {
 /// Assumption: in open loop bias and limit have no meaning.
 void UpdateOutput(Card& card, size_t axis) {
   if (!HasVoltages(card.motion)) return;
-  const Gt400Axis& state = StateOf(card, axis);
+  const Gt400Axis& state = AxisState(card, axis);
   const motion::DacHandle dac = card.motion.DacAt(axis);
   if (card.motion.InClosedLoop(axis)) {
     dac.SetBias(state.valid.bias);
@@ -53,7 +49,7 @@ void UpdateOutput(Card& card, size_t axis) {
 
 void UpdateServo(Card& card, size_t axis) {
   if (!HasVoltages(card.motion)) return;
-  const AxisRegisters& valid = StateOf(card, axis).valid;
+  const AxisRegisters& valid = AxisState(card, axis).valid;
   motion::PidSet set = card.motion.state().controls[axis].sets[0];
   set.kp = valid.kp;
   set.ki = valid.ki;
@@ -70,7 +66,7 @@ void UpdateServo(Card& card, size_t axis) {
 
 void PlaceAxis(Card& card, size_t axis, int32_t position) {
   PlaceAxisAt(axis, position, card.motion);
-  Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  Gt400Axis& state = AxisState(card, axis);
   state.waiting.position = state.valid.position = position;
 }
 

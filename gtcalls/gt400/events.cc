@@ -1,10 +1,12 @@
 #include "gtcalls/gt400/events.h"
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {
+
 uint8_t EventsOf(const CardView& card, size_t axis) {
-  const Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  const Gt400Axis& state = AxisState(card, axis);
   return static_cast<uint8_t>(state.events | NewLimits(card, axis));
 }
 

@@ -6,13 +6,20 @@
 #include <cstdint>
 
 #include "gtcalls/card.h"
-#include "gtcalls/gt400/gt400_state.h"
-#include "gtcalls/gt400/status_word.h"
 
 namespace oncard::gtcalls::gt400 {
 
-/// What the family keeps of an axis.
-inline Gt400Axis& AxisState(Card& card, size_t axis) { return card.state<Gt400State>().axes[axis]; }
+/// Bits 0 to 7 of the status word: they stay until they are cleared.
+enum EventBit : uint8_t {
+  kCompleteBit = 1u << 0,    ///< a motion has ended
+  kAlarmEventBit = 1u << 1,  ///< the alarm input has become active
+  kBreakpointBit = 1u << 2,
+  kCapturedBit = 1u << 3,
+  kMotionErrorBit = 1u << 4,  ///< the position error has exceeded its limit
+  kPositiveLimitEventBit = 1u << 5,
+  kNegativeLimitEventBit = 1u << 6,
+  kRefusedBit = 1u << 7,  ///< a command has been refused
+};
 
 /// Bits 0 to 7 of the status word now. A limit switch that has become active counts before the next
 /// tick notices it.

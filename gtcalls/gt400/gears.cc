@@ -1,7 +1,7 @@
 #include "gtcalls/gt400/gears.h"
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/drives.h"
-#include "gtcalls/gt400/gt400_state.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -30,7 +30,7 @@ void Engage(Card& card, size_t axis) {
   const motion::ProfileHandle profile = card.motion.ProfileAt(axis);
   GearMode& gear = profile.gear();
   gear.direct.given = true;
-  gear.direct.value = card.state<Gt400State>().axes[axis].valid.ratio;
+  gear.direct.value = AxisState(card, axis).valid.ratio;
   const MasterType followed = gear.master.type;
   if (const auto master = MasterAxis(card.view(), axis)) {
     gear.master.type = LeadingPart(card, *master);

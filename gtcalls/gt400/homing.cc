@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
-#include "gtcalls/gt400/gt400_state.h"
 
 namespace oncard::gtcalls::gt400 {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// Assumption: with the valid velocity and acceleration, as a motion of mode T; without them, or
 /// with the drive off, nothing moves.
 void Begin(Card& card, size_t axis, int32_t bound) {
-  Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  Gt400Axis& state = AxisState(card, axis);
   const double velocity = std::fabs(state.valid.velocity);
   const double acceleration = state.valid.acceleration;
   if (velocity < motion::kRateMin || acceleration < motion::kRateMin || !CanPlan(card, axis))
@@ -29,12 +29,12 @@ void Begin(Card& card, size_t axis, int32_t bound) {
 
 void TakeHoming(Card& card, size_t axis, int32_t bound) {
   card.motion.ProfileAt(axis).SelectMode(motion::ProfileMode::kTrap);
-  card.state<Gt400State>().axes[axis].taken_homing.Emplace({bound});
+  AxisState(card, axis).taken_homing.Emplace({bound});
 }
 
 void BeginTakenHomings(Card& card) {
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
-    auto& taken = card.state<Gt400State>().axes[axis].taken_homing;
+    auto& taken = AxisState(card, axis).taken_homing;
     if (!taken) continue;
     Begin(card, axis, taken->bound);
     taken.Reset();

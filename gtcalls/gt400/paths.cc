@@ -4,6 +4,7 @@
 
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/gt400_state.h"
 #include "gtcalls/gt400/stops.h"
 
 namespace oncard::gtcalls::gt400 {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/gears.h"
@@ -51,7 +52,7 @@ bool IsThere(const motion::Profile& profile, const AxisRegisters& valid) {
 
 /// Begins or replans the motion in mode T or V.
 void StartWithAcceleration(Card& card, size_t axis) {
-  const AxisRegisters& valid = card.state<Gt400State>().axes[axis].valid;
+  const AxisRegisters& valid = AxisState(card, axis).valid;
   if (IsZero(valid.acceleration)) return;
   const motion::ProfileHandle profile = card.motion.ProfileAt(axis);
   profile.SetVelocity(valid.velocity);
@@ -65,7 +66,7 @@ void StartWithAcceleration(Card& card, size_t axis) {
 }
 
 void StartMotion(Card& card, size_t axis) {
-  const AxisRegisters& valid = card.state<Gt400State>().axes[axis].valid;
+  const AxisRegisters& valid = AxisState(card, axis).valid;
   const motion::ProfileHandle profile = card.motion.ProfileAt(axis);
   switch (card.motion.profile(axis).mode) {
     case ProfileMode::kTrap:
@@ -97,7 +98,7 @@ double DirectionOf(const motion::Profile& profile, const AxisRegisters& valid) {
 
 /// An axis in motion has an acceleration, unless mode V has been given none since.
 void StopSmoothly(Card& card, size_t axis) {
-  const double deceleration = card.state<Gt400State>().axes[axis].valid.acceleration;
+  const double deceleration = AxisState(card, axis).valid.acceleration;
   const motion::Profile& profile = card.motion.profile(axis);
   if (profile.mode != ProfileMode::kSCurve) {
     if (IsZero(deceleration)) return;
@@ -114,7 +115,7 @@ void SynchPosition(Card& card, size_t axis) {
 }
 
 void Apply(Card& card, size_t axis, const TakenUpdate& update) {
-  Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  Gt400Axis& state = AxisState(card, axis);
   state.valid = update.registers;
   UpdateServo(card, axis);
   if (update.request.synch_position) return SynchPosition(card, axis);
@@ -148,7 +149,7 @@ TakenUpdate Take(Gt400Axis* axis) {
 
 /// Why an Update of the axis would be refused now; nothing if it would not.
 std::optional<Message> WhyNoUpdate(const CardView& card, size_t axis) {
-  const Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  const Gt400Axis& state = AxisState(card, axis);
   const ProfileMode mode = card.motion.profile(axis).mode;
   const bool geared = mode == ProfileMode::kGear;
   const bool moves = Moves(card, axis);
@@ -180,7 +181,7 @@ std::optional<Message> UpdateAxes(Card& card, uint32_t axes, void (*update)(Card
   });
   motion::ForEachBit(axes, count, [&](size_t axis) {
     if (refusal) {
-      UpdateRequest& request = card.state<Gt400State>().axes[axis].request;
+      UpdateRequest& request = AxisState(card, axis).request;
       request.smooth_stop = request.synch_position = false;
     } else {
       update(card, axis);
@@ -193,20 +194,20 @@ std::optional<Message> UpdateAxes(Card& card, uint32_t axes, void (*update)(Card
 
 std::optional<Message> TakeUpdate(Card& card, uint32_t axes) {
   return UpdateAxes(card, axes, [](Card& updated, size_t axis) {
-    Gt400Axis& state = updated.state<Gt400State>().axes[axis];
+    Gt400Axis& state = AxisState(updated, axis);
     state.taken.Emplace(Take(&state));
   });
 }
 
 std::optional<Message> UpdateAtOnce(Card& card, uint32_t axes) {
   return UpdateAxes(card, axes, [](Card& updated, size_t axis) {
-    Apply(updated, axis, Take(&updated.state<Gt400State>().axes[axis]));
+    Apply(updated, axis, Take(&AxisState(updated, axis)));
   });
 }
 
 void ApplyTakenUpdates(Card& card) {
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) {
-    auto& taken = card.state<Gt400State>().axes[axis].taken;
+    auto& taken = AxisState(card, axis).taken;
     if (!taken) continue;
     Apply(card, axis, *taken);
     taken.Reset();

@@ -1,5 +1,6 @@
 #include "gtcalls/gt400/status_word.h"
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/events.h"
 
 namespace oncard::gtcalls::gt400 {
@@ -22,7 +23,7 @@ constexpr int kModeShift = 11;
 uint32_t StatusWord(const CardView& card, size_t axis) {
   const motion::Axis& state = card.motion.axis(axis);
   uint32_t word = EventsOf(card, axis) | static_cast<uint32_t>(axis) << kAxisShift;
-  if (!card.state<Gt400State>().axes[axis].open_loop) word |= kLoopClosedBit;
+  if (!AxisState(card, axis).open_loop) word |= kLoopClosedBit;
   if (state.servo_on) word |= kDriveOnBit;
   if (Moves(card, axis)) word |= kMovesBit;
   if (state.positive_limit_on) word |= kLimitsOnBit;
@@ -33,7 +34,7 @@ uint32_t StatusWord(const CardView& card, size_t axis) {
 }
 
 uint16_t ModeRegister(const CardView& card, size_t axis) {
-  const Gt400Axis& state = card.state<Gt400State>().axes[axis];
+  const Gt400Axis& state = AxisState(card, axis);
   uint32_t word = static_cast<uint32_t>(ModeNumber(card.motion.profile(axis).mode)) << kModeShift;
   if (state.auto_stop) word |= kAutoStopBit;
   if (state.auto_update) word |= kAutoUpdateBit;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "gtcalls/gt400/axis_state.h"
 #include "gtcalls/gt400/events.h"
 #include "gtcalls/gt400/gears.h"
 #include "gtcalls/gt400/gt400_state.h"
@@ -17,6 +18,10 @@ struct Limit {
 };
 constexpr Limit kPositiveLimit = {motion::kPositiveLimitBit, kPositiveLimitEventBit};
 constexpr Limit kNegativeLimit = {motion::kNegativeLimitBit, kNegativeLimitEventBit};
+
+void ForEachAxis(Card& card, void (*act)(Card&, size_t)) {
+  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) act(card, axis);
+}
 
 uint32_t CausesOf(const CardView& card, size_t axis) {
   return card.motion.readings().ActiveCauses(card.motion.axis(axis));
@@ -146,13 +151,13 @@ void NoticeCaptures(Card& card) {
   bool probed = false;
   for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) probed |= TakeCapture(card, axis);
   if (!probed || !card.state<Gt400State>().probe_stops) return;
-  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) StopAbruptly(card, axis);
+  ForEachAxis(card, StopAbruptly);
 }
 
 }  // namespace
 
 uint8_t NewLimits(const CardView& card, size_t axis) {
-  return EventsOfLimits(CausesOf(card, axis) & ~card.state<Gt400State>().axes[axis].noticed);
+  return EventsOfLimits(CausesOf(card, axis) & ~AxisState(card, axis).noticed);
 }
 
 void NoticeLimits(Card& card, size_t axis) {
@@ -188,14 +193,6 @@ void StopAbruptly(Card& card, size_t axis) {
   SetEvents(card, axis, kCompleteBit);
   state.waiting.velocity = state.valid.velocity = 0;
 }
-
-namespace {
-
-void ForEachAxis(Card& card, void (*notice)(Card&, size_t)) {
-  for (size_t axis = 0; axis < card.motion.axis_count(); ++axis) notice(card, axis);
-}
-
-}  // namespace
 
 void NoticeStops(Card& card) {
   ForEachAxis(card, NoticeLimits);

@@ -5,6 +5,7 @@
 #include "gtcalls/gt400/commands/commands.h"
 #include "gtcalls/gt400/drives.h"
 #include "gtcalls/gt400/events.h"
+#include "gtcalls/gt400/status_word.h"
 #include "gtcalls/shared/senses.h"
 #include "motion/common/rounding.h"
 

@@ -1,6 +1,7 @@
 // Interrupts. Source: GT manual chapters 8 and 11. Tested by
 // tests/gtcalls/gt400/interrupt_command_test.cc and background_test.cc.
 #include "gtcalls/gt400/interrupts.h"
+#include "gtcalls/gt400/status_word.h"
 
 #include <algorithm>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gtcalls/gt400/command_register.h"
-#include "gtcalls/gt400/status_word.h"
 #include "motion/common/state_hash.h"
 #include "tests/gtcalls/family_test_card.h"
 #include "tests/motion/change_state.h"

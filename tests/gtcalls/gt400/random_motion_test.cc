@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gtcalls/gt400/status_word.h"
 #include "tests/gtcalls/gt400/gt400_test_card.h"
 
 namespace oncard::gtcalls::gt400 {
