@@ -2,7 +2,6 @@
 // capacities of its own, into which they must fit (family.cc).
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace oncard::gtcalls::gt400 {
@@ -11,8 +10,9 @@ namespace oncard::gtcalls::gt400 {
 inline constexpr int kCardMax = 16;
 /// Axes are numbered from 1. All cards have as many.
 inline constexpr int kAxisMax = 4;
-/// Masters of gears: the axes, then the auxiliary encoders.
+/// Auxiliary encoders, which belong to no axis.
 inline constexpr int kAuxiliaryMax = 2;
+/// Masters of gears: the axes, then the auxiliary encoders.
 inline constexpr int kMasterMax = kAxisMax + kAuxiliaryMax;
 inline constexpr int32_t kPositionMin = -1073741824;
 inline constexpr int32_t kPositionMax = 1073741823;
@@ -24,8 +24,6 @@ inline constexpr double kSCurveEnd = 0.5;
 inline constexpr int kServoMax = 32767;
 /// Coordinates of a path.
 inline constexpr int kCoordinateMax = 4;
-/// Encoders that belong to no axis.
-inline constexpr size_t kAuxiliaryEncoders = 2;
 inline constexpr int kAdcMax = 8;
 /// The sample time in microseconds: 200 at power-on, at most 65536 steps of 30 ns.
 inline constexpr double kSampleTime = 200;

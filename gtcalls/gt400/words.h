@@ -26,7 +26,7 @@ constexpr Spec Velocity(std::string_view name) { return Double(name).In(Unit::kP
 constexpr Spec Acceleration(std::string_view name) { return Double(name).In(Unit::kPulsePerSt2); }
 constexpr Spec Jerk(std::string_view name) { return Double(name).In(Unit::kPulsePerSt3); }
 constexpr Spec AuxiliaryEncoder(std::string_view name) {
-  return UShort(name).In(Unit::kIndex).Range(1, kAuxiliaryEncoders);
+  return UShort(name).In(Unit::kIndex).Range(1, kAuxiliaryMax);
 }
 constexpr Spec Coordinate(std::string_view name) { return Double(name).In(Unit::kLengthUnit); }
 constexpr Spec PathVelocity(std::string_view name) {

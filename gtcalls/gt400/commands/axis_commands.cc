@@ -128,7 +128,7 @@ int16_t GT_EncSns(Call& call) {
   if (code != vm::kOk) return code;
   const auto sense = static_cast<uint32_t>(call.integer(0));
   ReverseEncoders(sense, 0, kAxisMax, call.card.motion);
-  ReverseEncoders(sense >> kAxisMax, motion::kAuxiliaryFirst, kAuxiliaryEncoders, call.card.motion);
+  ReverseEncoders(sense >> kAxisMax, motion::kAuxiliaryFirst, kAuxiliaryMax, call.card.motion);
   return vm::kOk;
 }
 

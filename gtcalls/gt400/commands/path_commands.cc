@@ -18,7 +18,7 @@ using motion::Coordinates;
 namespace {
 
 /// Assumption: positions of axes are numbers of pulses also where the map changes under a list.
-constexpr double kMapFigureMax = -static_cast<double>(kPositionMin);
+constexpr double kMapFigureMax = kFarthest;
 
 }  // namespace
 
@@ -165,7 +165,7 @@ int16_t CheckRadius(Call& call, const motion::Segment& arc) {
       if (turns) radius = std::max(radius, std::fabs(row[i]) * arc.radius);
     }
   }
-  if (radius <= -static_cast<double>(kPositionMin)) return vm::kOk;
+  if (radius <= kFarthest) return vm::kOk;
   return RefuseFigure(call, kNoRadius,
                       MakeMessage("the radius of the arc is {0}; it is at most {1}",
                                   "圆弧的半径为 {0}；不得超过 {1}", radius, -kPositionMin));

@@ -30,7 +30,6 @@ int16_t CheckRate(Call& call, size_t argument) {
 }
 
 int16_t CheckPoint(Call& call, const motion::Coordinates& point) {
-  constexpr double kFarthest = -static_cast<double>(kPositionMin);
   for (const double coordinate : point) {
     if (std::fabs(coordinate) <= kFarthest) continue;
     return RefuseFigure(call, kBadEnd,

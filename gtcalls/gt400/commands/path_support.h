@@ -17,6 +17,9 @@ inline constexpr int16_t kBadRate = 4;
 inline constexpr int16_t kBadEnd = 5;
 inline constexpr int16_t kNoMapping = 6;
 
+/// The size of coordinates, of positions of axes and of radii is at most this.
+inline constexpr double kFarthest = -static_cast<double>(kPositionMin);
+
 inline Path& PathOf(const Call& call) { return StateOf(call).path; }
 inline PathList& ListOf(const Call& call) { return PathOf(call).list; }
 

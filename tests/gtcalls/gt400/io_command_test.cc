@@ -120,7 +120,7 @@ TEST(Gt400AuxiliaryEncoder, IsNotOnAllCards) {
 
 TEST(Gt400AuxiliaryEncoder, IsLatchedAtItsIndexPulse) {
   Gt400TestCard card;
-  for (size_t i = 0; i < kAuxiliaryEncoders; ++i) {
+  for (size_t i = 0; i < kAuxiliaryMax; ++i) {
     card.motion.SetIndexMarks(kAuxiliaryFirst + i, {.offset = 25, .period = 1000});
     ChangeState(card.motion).plants[kAuxiliaryFirst + i].hand = 10;
   }
