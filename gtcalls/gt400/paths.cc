@@ -164,9 +164,8 @@ void EndRun(Card& card) {
   CloseList(card);
   if (!is_list || list.idle()) return;
   // On the way to the start point, or back, the break point stays what it was.
-  const bool begun = list.executing || list.done > 0;
   const bool at_start = list.executing && list.current.approach.in_use();
-  if (begun && !at_start && !list.interruption) path.break_point = crd.position;
+  if (list.begun() && !at_start && !list.interruption) path.break_point = crd.position;
 }
 
 void NoticeRun(Card& card) {

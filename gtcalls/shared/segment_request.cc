@@ -67,6 +67,13 @@ SegmentRequest ReadSegment(const Call& call, double scale) {
   return request;
 }
 
+int16_t CheckDirection(Call& call, const SegmentRequest& request) {
+  if (request.direction == 1 || request.direction == -1) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("direction is {0}; it must be 1 or -1",
+                                 "direction 为 {0}；应为 1 或 -1", request.direction));
+}
+
 SegmentResult MakeSegment(const motion::Coordinates& start, const SegmentRequest& request,
                           double tolerance) {
   const motion::Coordinates end = request.EndFrom(start);

@@ -22,7 +22,7 @@ struct SegmentRequest {
   std::optional<std::array<double, 2>> centre;
   double angle = 0;  ///< degrees, with a centre
   std::optional<double> radius;
-  int direction = 1;
+  int direction = 1;  ///< with a radius: 1 counter-clockwise, -1 clockwise
 
   bool is_arc() const { return centre.has_value() || radius.has_value(); }
   /// The end of the segment; coordinates that are not given are those of its start.
@@ -31,6 +31,9 @@ struct SegmentRequest {
 
 /// Reads the arguments of a line or an arc; lengths are multiplied by `scale`.
 SegmentRequest ReadSegment(const Call& call, double scale);
+
+/// 0, or 7 unless an arc turns in one of the two directions.
+int16_t CheckDirection(Call& call, const SegmentRequest& request);
 
 /// What is wrong with a segment.
 enum class SegmentFault : uint8_t {

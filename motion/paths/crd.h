@@ -110,6 +110,13 @@ struct CrdFifo {
   /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
   Coordinates& Tail() { return is_virtual() ? planner->virtual_run.end : tail; }
   const Coordinates& Tail() const { return is_virtual() ? planner->virtual_run.end : tail; }
+  /// True if one of its segments has begun.
+  bool begun() const { return executing || done > 0; }
+  /// The given number of the segment that is under way, or was the last one; 0 before the first.
+  int32_t GivenNumber() const {
+    if (!begun()) return 0;
+    return interruption ? interruption->slot.given_number : current.given_number;
+  }
   /// Where the path goes on.
   Coordinates Breakpoint() const {
     return interruption ? interruption->slot.segment.PointAt(interruption->path)

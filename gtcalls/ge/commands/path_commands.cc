@@ -53,10 +53,7 @@ int16_t GT_GetBrkPnt(Call& call) {
 }
 
 int16_t GT_GetMtnNm(Call& call) {
-  const motion::CrdFifo& list = CrdOf(call.card).fifos[kListFifo];
-  const bool begun = list.executing || list.done > 0;
-  const motion::PathSlot& slot = list.interruption ? list.interruption->slot : list.current;
-  call.Set(0, begun ? slot.given_number : 0);
+  call.Set(0, CrdOf(call.card).fifos[kListFifo].GivenNumber());
   return vm::kOk;
 }
 
@@ -127,8 +124,7 @@ int16_t GT_OverrideG0(Call& call) {
 /// Assumption: machine position = work coordinate + count.
 int16_t GT_MapCnt(Call& call) {
   const double count = call.value(1);
-  // Written so that the check fails for a NaN.
-  if (!(count >= -kOffsetMax && count <= kOffsetMax)) {
+  if (count < -kOffsetMax || count > kOffsetMax) {
     return RefusePath(
         call, vm::kRefused, kModeInUse,
         MakeMessage("count is {0}; the range is [{1}, {2}]", "count 为 {0}；取值范围为 [{1}, {2}]",
@@ -222,12 +218,8 @@ int16_t ExecuteNow(Call& call, const SegmentRequest& request) {
 
 int16_t Travel(Call& call) {
   const SegmentRequest request = ReadSegment(call, 1);
-  if (request.direction != 1 && request.direction != -1) {
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("direction is {0}; it must be 1 or -1",
-                                   "direction 为 {0}；应为 1 或 -1", request.direction));
-  }
-  int16_t code = CheckAxisCount(call, request.dimension);
+  int16_t code = CheckDirection(call, request);
+  if (code == vm::kOk) code = CheckAxisCount(call, request.dimension);
   if (code == vm::kOk) code = CheckAxesFree(call);
   if (code != vm::kOk) return code;
   return ListOf(call).open ? AppendToList(call, request) : ExecuteNow(call, request);

@@ -109,7 +109,6 @@ int16_t RefuseFull(Call& call, int16_t code) {
 
 int16_t CheckRate(Call& call, size_t argument, bool may_be_zero) {
   const double rate = call.value(argument);
-  // Written so that the check fails for a NaN.
   if ((rate > 0 || (may_be_zero && rate == 0)) && rate <= kPathRateMax) return vm::kOk;
   return RefusePath(
       call, kBadRate, kPathState,

@@ -91,10 +91,7 @@ int16_t GT_GetPrfPnt(Call& call) { return SetPoint(call, call.card.motion.CrdPos
 int16_t GT_GetBrkPnt(Call& call) { return SetPoint(call, PathOf(call).break_point); }
 
 int16_t GT_GetMtnNm(Call& call) {
-  const motion::CrdFifo& list = CrdOf(call.card.view()).fifos[kListFifo];
-  const bool begun = list.executing || list.done > 0;
-  const motion::PathSlot& slot = list.interruption ? list.interruption->slot : list.current;
-  call.Set(0, begun ? slot.given_number : 0);
+  call.Set(0, CrdOf(call.card.view()).fifos[kListFifo].GivenNumber());
   return vm::kOk;
 }
 
@@ -168,16 +165,7 @@ int16_t CheckRadius(Call& call, const motion::Segment& arc) {
   if (radius <= kFarthest) return vm::kOk;
   return RefuseFigure(call, kNoRadius,
                       MakeMessage("the radius of the arc is {0}; it is at most {1}",
-                                  "圆弧的半径为 {0}；不得超过 {1}", radius, -kPositionMin));
-}
-
-int16_t CheckParameters(Call& call, const SegmentRequest& request) {
-  if (request.direction != 1 && request.direction != -1) {
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("direction is {0}; it must be 1 or -1",
-                                   "direction 为 {0}；应为 1 或 -1", request.direction));
-  }
-  return CheckFinite(call);
+                                  "圆弧的半径为 {0}；不得超过 {1}", radius, kFarthest));
 }
 
 motion::PathSlot SlotOf(const Path& path, const motion::Segment& segment) {
@@ -218,7 +206,8 @@ int16_t ExecuteNow(Call& call, const motion::Segment& segment) {
 
 int16_t Travel(Call& call) {
   const SegmentRequest request = ReadSegment(call, 1);
-  int16_t code = CheckParameters(call, request);
+  int16_t code = CheckDirection(call, request);
+  if (code == vm::kOk) code = CheckFinite(call);
   if (code != vm::kOk) return code;
   const bool listed = ListOf(call).open;
   const Coordinates start =
