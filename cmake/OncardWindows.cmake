@@ -1,0 +1,20 @@
+# The builds for Windows, with Debian's mingw-w64. They cannot run what they build: the generator of
+# headers and entry points is that of a build for this computer, which ./x windows makes first.
+set(ONCARD_GENERATE_INTERFACE "" CACHE FILEPATH "generate_interface of a build for this computer")
+if(NOT EXISTS "${ONCARD_GENERATE_INTERFACE}")
+  message(FATAL_ERROR "ONCARD_GENERATE_INTERFACE names no program: use ./x windows, or build the target "
+    "generate_interface in build/release and name build/release/gtcalls/generate_interface")
+endif()
+include(OncardHeaderOnly)
+
+# The interface of Windows 7, without the parts that define short words as macros. printf() is that
+# of C, not that of the old library of Windows. Unity builds have more sections than the plain format
+# of objects can number.
+target_compile_definitions(oncard_options INTERFACE
+  _WIN32_WINNT=0x0601 NOMINMAX WIN32_LEAN_AND_MEAN __USE_MINGW_ANSI_STDIO=1)
+target_compile_options(oncard_options INTERFACE -Wa,-mbig-obj)
+if(CMAKE_SIZEOF_VOID_P EQUAL 4)
+  # As in OncardHost32: the results of 64 bits. Threads of a host may have a stack that is aligned to
+  # four bytes only.
+  target_compile_options(oncard_options INTERFACE -msse2 -mfpmath=sse -mstackrealign)
+endif()
