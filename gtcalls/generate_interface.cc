@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,54 +33,10 @@
 
 #include "base/files.h"
 #include "gtcalls/interface_form.h"
+#include "gtcalls/interface_parts.h"
 
 namespace oncard::gtcalls {
 namespace {
-
-template <typename... Args>
-void Append(std::string* out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(*out), format, std::forward<Args>(args)...);
-}
-
-/// The name of a command with `prefix` instead of the family's prefix.
-std::string Renamed(std::string_view prefix, const InterfaceForm& form, const Command& command) {
-  std::string_view name = command.name;
-  if (name.starts_with(form.command_prefix)) name.remove_prefix(form.command_prefix.size());
-  return fmt::format("{}{}", prefix, name);
-}
-/// The name of a command with `short cardNum` in front.
-std::string MultiCardName(const InterfaceForm& form, const Command& command) {
-  return Renamed(form.multi_card_prefix, form, command);
-}
-/// The name of a command that takes a structure which has another layout in the vendor's basic
-/// header.
-std::string WideName(const InterfaceForm& form, const Command& command) {
-  return Renamed(form.wide_prefix, form, command);
-}
-
-/// True for a parameter whose memory has another layout in the basic header. Memory that is only
-/// lent has no layout.
-bool IsBasic(const InterfaceForm& form, const Parameter& parameter) {
-  return parameter.structure != nullptr && parameter.passing != Passing::kLent &&
-         std::any_of(form.basic_layouts.begin(), form.basic_layouts.end(),
-                     [&](const Structure& s) { return s.name == parameter.structure->name; });
-}
-bool HasBasic(const InterfaceForm& form, const Command& command) {
-  return std::any_of(command.parameters.begin(), command.parameters.end(),
-                     [&](const Parameter& parameter) { return IsBasic(form, parameter); });
-}
-
-/// What a command returns in place of its code; nullptr for most commands.
-const Parameter* ResultOf(const Command& command) {
-  if (command.parameters.empty() || command.parameters.back().IsArgument()) return nullptr;
-  return &command.parameters.back();
-}
-
-/// The parameters of its function in C.
-std::span<const Parameter> ArgumentsOf(const Command& command) {
-  return command.parameters.first(command.parameters.size() -
-                                  (ResultOf(command) != nullptr ? 1 : 0));
-}
 
 /// The beginning of the prototype.
 std::string ApiOf(const InterfaceForm& form, const Command& command) {
