@@ -162,21 +162,45 @@ void AppendStructures(std::string* out, const InterfaceForm& form, bool module) 
   }
 }
 
+/// The names of commands whose structures have two layouts. Compilers for Windows cannot name them
+/// for the linker, or decorate names in 32 bits.
+constexpr std::string_view kWideNames =
+    R"(/* Commands that take a structure which the vendor's basic {1}.h lays out otherwise have a name of
+   their own in the library; the plain name is for hosts that were compiled with that header. */
+#if defined(__GNUC__) && !defined(_WIN32)
+#define {0}WIDE_(name) __asm__(#name)
+#else
+#define {0}WIDE_(name)
+)";
+
 /// The switch between functions with a card number and without, for the commands of `lines`.
 void AppendMultiCardSwitch(std::string* out, const InterfaceForm& form,
                            const std::vector<Line>& lines) {
+  const auto listed = [&](const Command& command) {
+    return command.on_host && std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
+             return line.command == &command;
+           });
+  };
   const std::string_view prefix = form.macro_prefix;
   Append(out,
          "\n#ifdef {0}MULTI_CARD\n#define {0}CARD_ short cardNum,\n"
          "#define {0}CARD_ONLY_ short cardNum\n",
          prefix);
   for (const Command& command : form.catalogue.commands()) {
-    const bool listed = std::any_of(lines.begin(), lines.end(),
-                                    [&](const Line& line) { return line.command == &command; });
-    if (listed && command.on_host)
-      Append(out, "#define {} {}\n", command.name, MultiCardName(form, command));
+    if (listed(command)) Append(out, "#define {} {}\n", command.name, MultiCardName(form, command));
   }
-  *out += form.one_card;
+  const bool has_basic = !form.basic_layouts.empty();
+  if (has_basic) Append(out, "#define {}WIDE_(name)\n", prefix);
+  Append(out, "#else\n#define {0}CARD_\n#define {0}CARD_ONLY_ void\n", prefix);
+  if (has_basic) {
+    Append(out, kWideNames, prefix, form.header);
+    for (const Command& command : form.catalogue.commands()) {
+      if (!listed(command) || !HasBasic(form, command)) continue;
+      Append(out, "#define {} {}\n", command.name, WideName(form, command));
+    }
+    *out += "#endif\n";
+  }
+  *out += "#endif\n";
 }
 
 /// What the prototypes of one header need, the prototypes, and the end of the header.
@@ -305,9 +329,8 @@ std::string BasicDeclarations(const InterfaceForm& form, const Command& command)
 
 void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Command& command) {
   const std::string declarations = BasicDeclarations(form, command);
-  Append(out,
-         "extern \"C\" {2}CALL_ short Basic{0}({1}) __asm__(\"{0}\");\nshort Basic{0}({1}) {{\n",
-         command.name, declarations, form.macro_prefix);
+  Append(out, "extern \"C\" short {2}CALL_ {0}({1});\nshort {2}CALL_ {0}({1}) {{\n", command.name,
+         declarations, form.macro_prefix);
   std::string before;
   std::string names;
   std::string after;
@@ -325,8 +348,8 @@ void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Co
       Append(&after, "  if (code == 0) Copy(wide_{0}, {0});\n", parameter.name);
     }
   }
-  Append(out, "{}  const short code = {}({});\n{}  return code;\n}}\n\n", before, command.name,
-         names, after);
+  Append(out, "{}  const short code = {}({});\n{}  return code;\n}}\n\n", before,
+         WideName(form, command), names, after);
 }
 
 constexpr std::string_view kBasicHead =
@@ -334,8 +357,9 @@ constexpr std::string_view kBasicHead =
 // structures differ. Generated: do not edit.
 #include <algorithm>
 
-#include "{0}.h"
-#include "runtime/host/host_api.h"
+// With these macros the header declares only the functions with the other prefix.
+{1}#include "{0}.h"
+{2}#include "runtime/host/host_api.h"
 
 namespace oncard::runtime {{
 namespace {{
@@ -352,8 +376,15 @@ Ours* Wide(Basic* host, Ours* wide) {{
 
 /// The functions with plain names, as the vendor's basic header declares them. They call ours.
 std::string BasicEntryPoints(const InterfaceForm& form) {
+  std::string rename;
+  std::string restore;
+  for (const Command& command : form.catalogue.commands()) {
+    if (!command.on_host || !HasBasic(form, command)) continue;
+    Append(&rename, "#define {} {}\n", command.name, WideName(form, command));
+    Append(&restore, "#undef {}\n", command.name);
+  }
   std::string out;
-  Append(&out, kBasicHead, form.header);
+  Append(&out, kBasicHead, form.header, rename, restore);
   for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, layout);
   for (const Command& command : form.catalogue.commands()) {
     if (command.on_host && HasBasic(form, command)) AppendBasicEntryPoint(&out, form, command);

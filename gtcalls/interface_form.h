@@ -52,8 +52,6 @@ struct InterfaceForm {
   /// Functions with a card number: they have this prefix. The macro that ends with MULTI_CARD is
   /// the switch to them.
   std::string_view multi_card_prefix = {};
-  /// The header after the names with a card number: the end of the switch, with #else.
-  std::string_view one_card = {};
   /// Structures with another layout in the vendor's basic header, and the prefix of the functions
   /// that take them in ours.
   std::span<const Structure> basic_layouts = {};

@@ -34,10 +34,12 @@ constexpr std::string_view kHead =
 #define __stdcall
 #endif
 
-#ifdef __GNUC__
+#ifdef _WIN32
+#define GT400_CALL_ __stdcall
+#elif defined(__GNUC__)
 #define GT400_CALL_ __attribute__((visibility("default")))
 #else
-#define GT400_CALL_ __stdcall
+#define GT400_CALL_
 #endif
 
 #ifdef __cplusplus

@@ -54,21 +54,6 @@ constexpr std::string_view kHead =
 #define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
 )";
 
-/// The prototypes' names for one card: the other part of the switch between one card and several.
-constexpr std::string_view kOneCard = R"(#define GTS_WIDE_(name)
-#else
-#define GTS_CARD_
-#define GTS_CARD_ONLY_ void
-/* Commands that take a structure which the vendor's basic gts.h lays out otherwise have a name of
-   their own in the library; the plain name is for hosts that were compiled with that header. */
-#ifdef __GNUC__
-#define GTS_WIDE_(name) __asm__(#name)
-#else
-#error "gts.h needs a compiler that can name functions for the linker, as gcc and clang do"
-#endif
-#endif
-)";
-
 constexpr std::string_view kLookAheadHead =
     R"(/* Commands of the multi-axis look-ahead of GTS motion controllers, for C and C++. Generated: do
    not edit.
@@ -161,7 +146,6 @@ const InterfaceForm& GtsInterfaceForm() {
                                       .topics = kTopics,
                                       .page_head = kPageHead,
                                       .multi_card_prefix = "GTM_",
-                                      .one_card = kOneCard,
                                       .basic_layouts = kBasicLayouts,
                                       .wide_prefix = "GTX_",
                                       .module = &kLookAhead};
