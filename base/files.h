@@ -48,6 +48,9 @@ void UndoWrites();
 /// True if a file or folder of this name exists and can be seen.
 bool FileExists(const std::string& path);
 
+/// True if a folder of this name exists and can be seen.
+bool IsFolder(const std::string& path);
+
 /// The shortest name of `path` as seen from `folder`; `path` itself if the current folder is gone.
 std::string NameFromFolder(const std::string& path, const std::string& folder);
 

@@ -35,6 +35,8 @@ Result<void> WritePairAtomically(const std::string& first_path, std::string_view
 
 bool FileExists(const std::string&) { return false; }
 
+bool IsFolder(const std::string&) { return false; }
+
 std::string NameFromFolder(const std::string& path, const std::string& folder) {
   return std::filesystem::path(path).lexically_proximate(folder).generic_string();
 }

@@ -1,6 +1,5 @@
 // oncard build: compiles motion programs to object pairs.
-#include <filesystem>
-#include <system_error>
+#include <algorithm>
 
 #include "base/files.h"
 #include "tools/commands.h"
@@ -35,9 +34,7 @@ int BuildOne(const BuildOptions& options, const std::string& source, const Invoc
 }
 
 int Build(const BuildOptions& options, const Invocation& invocation) {
-  std::error_code ignored;
-  if (std::filesystem::exists(options.folder, ignored) &&
-      !std::filesystem::is_directory(options.folder, ignored)) {
+  if (FileExists(options.folder) && !IsFolder(options.folder)) {
     return Fail(invocation, kExitUsage,
                 MakeMessage("'{0}' is a file: -o names the folder of the objects, whose names are "
                             "those of the sources",

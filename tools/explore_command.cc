@@ -192,7 +192,7 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Invocation& invocat
   }
   ExploreSubject subject;
   explore::SearchFile file;
-  if (std::filesystem::exists(path)) {
+  if (FileExists(path)) {
     const int read = ReadSearch(invocation, path, ReadingOf(arguments), &file, &subject);
     if (read != kExitOk) return read;
     return ExploreKept(arguments, invocation, subject, path, std::move(file));

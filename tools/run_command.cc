@@ -1,6 +1,4 @@
 // oncard run: runs a program with options, or a scenario file, to its end.
-#include <filesystem>
-
 #include "base/milliseconds.h"
 #include "base/number.h"
 #include "explore/source_comments.h"

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
+#include "base/files.h"
 #include "tools/explore_search.h"
 
 namespace oncard::tools {
@@ -15,8 +17,7 @@ namespace {
 std::string FreeName(const std::string& input) {
   const std::string name = std::filesystem::path(input).stem().string();
   std::string path = name + ".search";
-  std::error_code ignored;
-  for (int i = 2; std::filesystem::exists(path, ignored); ++i) {
+  for (int i = 2; FileExists(path); ++i) {
     path = fmt::format("{}.{}.search", name, i);
   }
   return path;
@@ -66,8 +67,7 @@ int UnnamedSearch::End(const explore::Exploration& found, bool interrupted) {
                                      "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);
     PrintDiagnostics(invocation_.Say(text));
   }
-  std::error_code ignored;
-  if (kept_) std::filesystem::remove(path_, ignored);
+  if (kept_) std::remove(path_.c_str());
   return kExitOk;
 }
 

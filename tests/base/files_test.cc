@@ -35,6 +35,13 @@ TEST_F(FilesTest, WritesAndReadsBytesUnchanged) {
   EXPECT_EQ(FileCount(), 1u);
 }
 
+TEST_F(FilesTest, KnowsFoldersFromFiles) {
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), "content").ok());
+  EXPECT_TRUE(IsFolder(folder_.string()));
+  EXPECT_FALSE(IsFolder(Path("f")));
+  EXPECT_FALSE(IsFolder(Path("missing")));
+}
+
 TEST_F(FilesTest, ReplacesAnExistingFile) {
   ASSERT_TRUE(WriteFileAtomically(Path("f"), "old").ok());
   ASSERT_TRUE(WriteFileAtomically(Path("f"), "new").ok());
