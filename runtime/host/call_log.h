@@ -14,6 +14,16 @@
 
 namespace oncard::runtime {
 
+#ifdef __wasi__
+/// There is only one thread.
+struct LogLock {
+  void lock() {}
+  void unlock() {}
+};
+#else
+using LogLock = std::mutex;
+#endif
+
 /// The destination of the lines. Thread-safe: each line is written in one piece, by a system call
 /// of its own. Shared memory, through which the record of calls is written (mapped_file.h), would
 /// be faster. But this log is read while it grows: `tail -f` would see a megabyte of zero bytes
@@ -46,7 +56,7 @@ class CallLog final : public CardLog {
   void EndLine();
 
   Language language_;
-  std::mutex mutex_;
+  LogLock mutex_;
   std::string line_;  // the one in progress; its memory is used again for the next
   std::FILE* stream_ = nullptr;
   std::atomic<bool> lost_ = false;
