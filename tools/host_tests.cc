@@ -169,8 +169,28 @@ void TakeReport(const std::string& path, TestOutcome* outcome) {
 
 }  // namespace
 
+ScratchFolder::ScratchFolder() {
+  std::error_code error;
+  auto folder = fs::temp_directory_path(error);
+  // The compiler and the host run in other folders.
+  if (!error) folder = fs::absolute(folder, error);
+  path_ = (folder / "oncard-test.XXXXXX").string();
+  if (error || ::mkdtemp(path_.data()) == nullptr) path_.clear();
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
 void RunHostTest(const runtime::Scenario& scenario, const HostTestOptions& options,
                  const Invocation& invocation, TestOutcome* outcome) {
+  std::error_code error;
+  if (options.scratch.empty() || !fs::create_directory(options.scratch, error)) {
+    outcome->failures.push_back(
+        {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
+    return;
+  }
   const auto host = HostLine(scenario, options, outcome);
   if (!host) return;
   std::error_code ignored;

@@ -16,8 +16,24 @@ struct HostTestOptions {
   std::vector<std::string> silent;  ///< warnings that are switched off, each as `no-NAME`
   /// Seconds of the wall clock that the compiler and the host may each take; 0: no limit.
   int limit_s = 0;
-  /// A folder that exists, for the compiled host and its report.
+  /// A folder that the test may make, for the compiled host and its report; empty: none can be
+  /// made.
   std::string scratch;
+};
+
+/// A new folder for all tests, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  /// Empty if there is none.
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
 };
 
 /// Adds to `outcome` what became of Scenario::host_program, which runs in the scenario's folder. To

@@ -11,13 +11,13 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 
-#include "base/json_text.h"
 #include "tools/child_process.h"
 #include "tools/invocation.h"
+#include "tools/outcome_text.h"
 
 namespace oncard::tools {
 namespace {
@@ -28,38 +28,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLookMs = 100;
 constexpr auto kTimeToEnd = std::chrono::seconds(2);
 
-// --- An outcome as text ----------------------------------------------------------------------
-
-std::string Pack(const TestOutcome& outcome) {
-  const nlohmann::ordered_json packed = {
-      {"failures", JsonOfMessages(outcome.failures)},
-      {"warnings", JsonOfMessages(outcome.warnings)},
-      {"reasons", JsonOfMessages({outcome.nothing, outcome.skipped})},
-      {"time_ms", outcome.time_ms},
-      {"search_ms", outcome.search_ms},
-      {"statements", outcome.statements},
-      {"interrupted", outcome.interrupted}};
-  return JsonText(packed);
-}
-
-/// False if the text is incomplete.
-bool Unpack(const std::string& text, TestOutcome* outcome) {
-  const nlohmann::ordered_json packed = nlohmann::ordered_json::parse(text, nullptr, false);
-  std::vector<Message> reasons;
-  if (!packed.is_object() || !ReadMessages(packed.at("failures"), &outcome->failures) ||
-      !ReadMessages(packed.at("warnings"), &outcome->warnings) ||
-      !ReadMessages(packed.at("reasons"), &reasons)) {
-    return false;
-  }
-  outcome->nothing = reasons.at(0);
-  outcome->skipped = reasons.at(1);
-  outcome->time_ms = packed.at("time_ms");
-  outcome->search_ms = packed.at("search_ms");
-  outcome->statements = packed.at("statements");
-  outcome->interrupted = packed.at("interrupted");
-  return true;
-}
-
 // --- The child -------------------------------------------------------------------------------
 
 [[noreturn]] void WorkAndEnd(const std::function<TestOutcome()>& work, int descriptor) {
@@ -69,7 +37,7 @@ bool Unpack(const std::string& text, TestOutcome* outcome) {
   } catch (const std::exception& error) {
     outcome.failures.push_back(MakeMessage("internal error: {0}", "内部错误：{0}", error.what()));
   }
-  const std::string text = Pack(outcome);
+  const std::string text = PackOutcome(outcome);
   std::string_view rest = text;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor, rest.data(), rest.size());
@@ -200,7 +168,7 @@ class IsolatedRuns {
     int status = 0;
     while (::waitpid(child->process, &status, 0) < 0 && errno == EINTR) {
     }
-    if (status == 0 && Unpack(child->text, &outcome)) return;
+    if (status == 0 && UnpackOutcome(child->text, &outcome)) return;
     outcome.interrupted = child->told_to_stop;
     if (child->told_to_stop) {
       outcome.failures.push_back({"interrupted", "被中断"});
@@ -220,6 +188,8 @@ class IsolatedRuns {
 };
 
 }  // namespace
+
+int ProcessorCount() { return static_cast<int>(std::thread::hardware_concurrency()); }
 
 Message TookTooLong(int limit_s) {
   return MakeMessage("it took longer than {0} s: --timeout sets the limit",

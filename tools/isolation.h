@@ -23,6 +23,9 @@ struct IsolationOptions {
   int timeout_s = 0;
 };
 
+/// How many tests this computer runs at the same time at best; 0: it does not say.
+int ProcessorCount();
+
 /// The failure of a test that took longer than its limit.
 Message TookTooLong(int limit_s);
 

@@ -4,10 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "compiler/diagnostic_printer.h"
 #include "compiler/display_text.h"
@@ -21,6 +18,7 @@
 #include "tools/isolation.h"
 #include "tools/program_warnings.h"
 #include "tools/run_report.h"
+#include "tools/scenario_folder.h"
 #include "tools/search_watch.h"
 #include "tools/stop_signals.h"
 #include "tools/test_report.h"
@@ -48,31 +46,6 @@ constexpr std::string_view kHostScenario = ".host.toml";
 // Seconds for each of many programs, and for a host: they can be endless.
 constexpr int kTimeout = 60;
 
-// The scenarios in a folder and its subfolders, sorted by path; for a file the file itself.
-Result<std::vector<std::string>> FindScenarios(const std::string& path) {
-  std::vector<std::string> found;
-  std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) {
-    if (!std::filesystem::exists(path, error)) {
-      return MakeError(1, "cannot open '{0}': no such file or folder",
-                       "无法打开“{0}”：没有该文件或文件夹", path);
-    }
-    found.push_back(path);
-    return found;
-  }
-  using Iterator = std::filesystem::recursive_directory_iterator;
-  for (Iterator entry(path, error); !error && entry != Iterator(); entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.ends_with(".toml")) found.push_back(entry->path().generic_string());
-  }
-  if (error) {
-    return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,
-                     error.message());
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 // The programs that match a pattern, sorted by path.
 Result<std::vector<std::string>> FindPrograms(const std::string& pattern) {
   glob_t matches = {};
@@ -86,31 +59,6 @@ Result<std::vector<std::string>> FindPrograms(const std::string& pattern) {
   }
   return MakeError(1, "cannot search for '{0}'", "无法查找“{0}”", pattern);
 }
-
-/// A new folder, removed with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::error_code error;
-    auto folder = std::filesystem::temp_directory_path(error);
-    // The compiler and the host run in other folders.
-    if (!error) folder = std::filesystem::absolute(folder, error);
-    path_ = (folder / "oncard-test.XXXXXX").string();
-    if (error || ::mkdtemp(path_.data()) == nullptr) path_.clear();
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  /// Empty if there is none.
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 // A failed compilation as one message: its diagnostics in the format of `check`.
 Message DescribeDiagnostics(const compiler::Compilation& compilation) {
@@ -256,12 +204,6 @@ void TestHost(runtime::Scenario scenario, const std::string& scratch, const Test
         "= [\"./host\"] }"};
     return;
   }
-  std::error_code error;
-  if (testing.scratch.empty() || !std::filesystem::create_directory(scratch, error)) {
-    outcome->failures.push_back(
-        {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
-    return;
-  }
   // Where a test has a limit, it is the only one: of two, either could be reached first.
   const bool limited = testing.arguments.timeout_s || !testing.arguments.programs.empty();
   RunHostTest(scenario,
@@ -336,7 +278,8 @@ std::vector<IsolatedTest> ListTests(const std::vector<std::string>& scenarios,
     TestOutcome named;
     named.path = scenario;
     named.program = program;
-    const std::string scratch = fmt::format("{}/{}", testing.scratch, tests.size());
+    const std::string scratch =
+        testing.scratch.empty() ? "" : fmt::format("{}/{}", testing.scratch, tests.size());
     tests.push_back(
         {named, [named, scratch, &testing] { return RunTest(named, scratch, testing); }});
   };
@@ -354,8 +297,7 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
   if (!programs.ok()) return Fail(invocation, kExitUnreadable, programs.error().message);
   const StopSignals signals;
   IsolationOptions isolation;
-  isolation.jobs =
-      arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  isolation.jobs = arguments.jobs > 0 ? arguments.jobs : ProcessorCount();
   isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kTimeout);
   const ScratchFolder scratch;
   const Testing testing = {arguments, invocation, signals, scratch.path(), isolation.jobs};
