@@ -6,7 +6,8 @@
 #
 #   oncard::<name>_interface     the folder with its headers
 #   oncard::<name>_entry_points  the functions of its library, for whoever is no library
-#   oncard::<name>               lib<name>.so, with which host programs are linked
+#   oncard::<name>               lib<name>.so, with which host programs are linked; a link to the
+#                                library itself, whose name ends in the version of its interface
 #
 # EXPORTS are the names of its functions. SOURCES define its HostLibrary (runtime/host/library.h).
 # HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD
@@ -14,6 +15,12 @@
 # OTHER_HEADERS are copied. INTERRUPTS: its cards interrupt their host, for which the library has
 # events and handlers. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
 # both are those of the project.
+
+# The version of the interface of all host libraries. It changes when hosts that were linked before
+# would no longer run: when a function is taken away, or its parameters change. One number
+# for all, because they are released together, in one package.
+set(ONCARD_SOVERSION 1)
+
 function(oncard_family name)
   cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS;INTERRUPTS" "GENERATOR;INCLUDE_DIR;MODULE_HEADER"
     "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
@@ -84,7 +91,7 @@ function(oncard_family name)
   set(map ${CMAKE_CURRENT_BINARY_DIR}/${name}.map)
   configure_file(${PROJECT_SOURCE_DIR}/runtime/host/family.map.in ${map} @ONLY)
   set_target_properties(${name} PROPERTIES
-    LINK_DEPENDS ${map} PUBLIC_HEADER "${headers}" UNITY_BUILD OFF)
+    LINK_DEPENDS ${map} PUBLIC_HEADER "${headers}" SOVERSION ${ONCARD_SOVERSION} UNITY_BUILD OFF)
   target_link_options(${name} PRIVATE LINKER:--version-script=${map})
   if(NOT ONCARD_SANITIZE)  # a sanitizer's run-time library comes with the program
     target_link_options(${name} PRIVATE LINKER:--no-undefined)

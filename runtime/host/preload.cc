@@ -25,9 +25,10 @@ namespace {
 constexpr long long kCalendarBeginNs = 1'767'225'600 * kSecondNs;  // 2026-01-01 00:00:00 UTC
 constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
 
-/// The host libraries of the families.
+/// The host libraries of the families, by the names that they give themselves: whichever link leads
+/// to one, it is found.
 constexpr const char* kHostLibraries[] = {
-#define FAMILY(name, Name) "lib" #name ".so",
+#define FAMILY(name, Name) "lib" #name ".so." ONCARD_SOVERSION,
 #include "gtcalls/families.def"
 };
 
