@@ -98,7 +98,7 @@ function(oncard_family name)
   endif()
   target_link_libraries(${name}
     PRIVATE oncard_options oncard_${name}_entry_points
-    INTERFACE oncard::${name}_interface)
+    INTERFACE $<BUILD_INTERFACE:oncard_${name}_interface>)
 endfunction()
 
 # oncard_interface_file(family generator what output): a file that a generator writes.

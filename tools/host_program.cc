@@ -54,8 +54,10 @@ std::string FolderWith(const char* file, std::initializer_list<std::filesystem::
 LibraryFolders FindLibraries() {
   const auto beside = FolderOfCommand();
   const auto above = beside.parent_path();
-  return {FolderWith(kPreloadLibrary, {beside, above / "lib"}),
-          FolderWith(kPreloadLibrary, {above / "lib32"})};
+  const auto lib = above / "lib";
+  return {FolderWith(kPreloadLibrary,
+                     {beside, lib, lib / ONCARD_LIBRARY_ARCHITECTURE / "oncard", lib / "oncard"}),
+          FolderWith(kPreloadLibrary, {above / "lib32", above / "lib32/oncard"})};
 }
 
 HeaderFolders FindHeaders() {

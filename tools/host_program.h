@@ -13,10 +13,15 @@ bool IsProgramOf32Bits(const std::string& name);
 /// What `oncard exec` loads into a host.
 inline constexpr const char* kPreloadLibrary = "liboncard_host.so";
 
-/// The folders of libgts and the preload library; empty if they were not found.
+/// The folders of libgts and the preload library; empty if they were not found. In an installation
+/// the libraries are in a `lib`, and its folder `oncard` holds the preload library and links to
+/// them: where `lib` is one of the system's, the programs that a host starts search it in their
+/// own order.
 struct LibraryFolders {
-  std::string own;       ///< 64-bit: beside the command, or in ../lib
-  std::string of32bits;  ///< for 32-bit hosts: ../lib32
+  /// 64-bit: beside the command, in ../lib, or in the folder `oncard` of ../lib or of the folder
+  /// that Debian has there for each processor, as ../lib/x86_64-linux-gnu.
+  std::string own;
+  std::string of32bits;  ///< for 32-bit hosts: ../lib32 or its folder `oncard`
 };
 
 LibraryFolders FindLibraries();

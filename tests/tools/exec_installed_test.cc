@@ -30,9 +30,9 @@ class InstalledExec : public testing::Test {
   fs::path root() const { return folder_.path(); }
 
   /// Installs a substitute for the 32-bit libraries; no 32-bit program loads them here.
-  void InstallLibrariesOf32Bits() const {
-    fs::create_directories(root() / "lib32");
-    folder_.Write((fs::path("lib32") / kLibrary).string(), "");
+  void InstallLibrariesOf32Bits(const fs::path& folder = "lib32") const {
+    fs::create_directories(root() / folder);
+    folder_.Write((folder / kLibrary).string(), "");
   }
 
   ProcessResult Exec(const std::vector<std::string>& host, const std::string& path = "") const {
@@ -60,6 +60,19 @@ TEST_F(InstalledExec, NeedsItsLibrary) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err,
             "oncard: liboncard_host.so is neither beside oncard nor in ../lib; install it there\n");
+}
+
+// In the first folder packages of Debian have it, in the second one other installations.
+TEST_F(InstalledExec, FindsItsLibraryWhereItIsInstalled) {
+  for (const std::string folder : {"lib/" ONCARD_LIBRARY_ARCHITECTURE "/oncard", "lib/oncard"}) {
+    fs::create_directories(root() / folder);
+    fs::rename(root() / "lib" / kLibrary, root() / folder / kLibrary);
+    const ProcessResult result = Exec({"sh", "-c", "echo $LD_LIBRARY_PATH"});
+    EXPECT_EQ(result.out, (root() / folder).string() + '\n');
+    EXPECT_EQ(result.err, "");
+    fs::rename(root() / folder / kLibrary, root() / "lib" / kLibrary);
+    fs::remove_all(root() / folder);
+  }
 }
 
 TEST_F(InstalledExec, RefusesAHostOf32BitsWithoutLibrariesOf32Bits) {
@@ -95,6 +108,12 @@ TEST_F(InstalledExec, ProgramsFindTheLibrariesOfTheirWordLength) {
   const ProcessResult result = Exec(host);
   EXPECT_EQ(result.out, own + ":" + own + "32\n");
   EXPECT_EQ(result.err, "");
+}
+
+TEST_F(InstalledExec, FindsInstalledLibrariesOf32Bits) {
+  InstallLibrariesOf32Bits("lib32/oncard");
+  const std::string own = folder_.path() + "/lib";
+  EXPECT_EQ(Exec({"sh", "-c", "echo $LD_LIBRARY_PATH"}).out, own + ":" + own + "32/oncard\n");
 }
 
 TEST_F(InstalledExec, AFolderMayHaveABlank) {
