@@ -17,7 +17,7 @@
 # both are those of the project.
 
 # The version of the interface of all host libraries. It changes when hosts that were linked before
-# would no longer run: when a function is taken away, or its parameters change. One number
+# would no longer run: when a function is taken away, or its parameters change (tests/abi). One number
 # for all, because they are released together, in one package.
 set(ONCARD_SOVERSION 1)
 
