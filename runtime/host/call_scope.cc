@@ -10,6 +10,7 @@
 #include <cerrno>
 
 #include "runtime/host/calling_thread.h"
+#include "runtime/host/held_signals.h"
 
 namespace oncard::runtime {
 

@@ -1,7 +1,7 @@
 // Signals of a host and its calls of a host library. A handler may call the card, as an emergency
 // stop does, and read clocks; it must not find the library's locks held by the thread that it has
 // interrupted. So a signal that arrives during a call waits until the call is over
-// (host_handlers.cc), and a sleep ends early for it, as a sleep of the operating system does. Where
+// (held_signals.h), and a sleep ends early for it, as a sleep of the operating system does. Where
 // a signal cannot wait, because it reports a fault or because its handler was installed without the
 // library, a call that finds its thread inside another one is refused.
 //
@@ -55,10 +55,6 @@ class CallScope {
   static void Deliver();
 };
 
-/// To be called by the handler of a signal, with its arguments. If the thread is in a call, keeps
-/// the signal for the end of the call, wakes the thread if it sleeps, and returns true.
-bool HoldSignal(int number, siginfo_t* info, void* context);
-
 /// While it exists a held signal changes the word, so that a wait for the futex returns.
 class WakingSignals {
  public:
@@ -67,8 +63,5 @@ class WakingSignals {
   WakingSignals& operator=(const WakingSignals&) = delete;
   ~WakingSignals() { call_state.asleep_on = nullptr; }
 };
-
-/// The C library's sigaction(), which the one of the host library covers.
-int SystemSigaction(int number, const struct sigaction* wanted, struct sigaction* before);
 
 }  // namespace oncard::runtime

@@ -5,7 +5,7 @@
 // A child process has numbers of its own from its first instruction on, however it was made; only
 // the child of vfork(), which borrows the memory of its parent, sees those of its parent.
 //
-// Thread-safe, and safe in handlers of signals. Linux only.
+// Thread-safe, and safe in handlers of signals.
 // Tested by tests/runtime/calling_thread_test.cc.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "runtime/host/call_scope.h"
+#include "runtime/host/held_signals.h"
 
 namespace {
 

@@ -12,11 +12,13 @@
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/virtual_time.h"
+#include "runtime/host/waiting_threads.h"
 
 using oncard::runtime::call_state;
 using oncard::runtime::CallScope;
 using oncard::runtime::HostInterrupts;
 using oncard::runtime::VirtualTime;
+using oncard::runtime::WaitingThreads;
 
 #define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -113,16 +115,19 @@ void LockEverything() {
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
   VirtualTime::OfProcess().LockForFork();
+  WaitingThreads::OfProcess().LockForFork();
 }
 void UnlockCards() {
   for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.unlock();
 }
 void UnlockParent() {
+  WaitingThreads::OfProcess().UnlockAfterFork();
   VirtualTime::OfProcess().UnlockAfterFork();
   UnlockCards();
   CallScope::End();
 }
 void UnlockChild() {
+  WaitingThreads::OfProcess().UnlockAfterFork();
   VirtualTime::OfProcess().BecomeChild();
   UnlockCards();
   oncard::runtime::LeaveJudgingToParent();

@@ -9,9 +9,10 @@
 #include <csignal>
 #include <cstdint>
 
-#include "runtime/host/call_scope.h"
+#include "runtime/host/held_signals.h"
 #include "runtime/host/host_scenario.h"
-#include "runtime/host/waiting_threads.h"
+#include "runtime/host/system_waits.h"
+#include "runtime/host/thread_waits.h"
 
 namespace oncard::runtime {
 namespace {
@@ -34,7 +35,7 @@ extern "C" void WakeWatcher(int signal) {
 }
 
 void* Watch(void* /*argument*/) {
-  const WaitingThreads::LeftOut watcher;
+  const LeftOutThread watcher;
   uint64_t signal = 0;
   // A direct system call: the C library's functions may be replaced by functions that lead back
   // here.
@@ -69,15 +70,8 @@ void WatchHostSignals() {
   wake_descriptor = ::eventfd(0, EFD_CLOEXEC);
   if (wake_descriptor < 0) return;
   watched_process = ::getpid();
-  // This thread receives none of the host's signals.
-  sigset_t all;
-  sigset_t before;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
   pthread_t thread{};
-  const bool started = ::pthread_create(&thread, nullptr, Watch, nullptr) == 0;
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  if (!started) return;
+  if (!StartOwnThread(&thread, Watch, nullptr)) return;
   ::pthread_detach(thread);
   for (const int signal : kEndSignals) {
     if (HasDefaultAction(signal)) WatchSignal(signal);

@@ -1,17 +1,11 @@
 #include "runtime/host/virtual_time.h"
 
-#include <linux/futex.h>
-#include <sys/syscall.h>
-#include <time.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <climits>
-#include <csignal>
 #include <vector>
 
 #include "runtime/host/call_scope.h"
 #include "runtime/host/calling_thread.h"
+#include "runtime/host/system_waits.h"
 
 namespace oncard::runtime {
 namespace {
@@ -19,28 +13,16 @@ namespace {
 /// How long the helper lets the other threads run before it looks again: short at first, so that
 /// threads that soon wait cost little time, then longer, so that a thread that computes is not
 /// disturbed.
-constexpr long kFirstLookNs = 20'000;
-constexpr long kLastLookNs = 500'000;
+constexpr int64_t kFirstLookNs = 20'000;
+constexpr int64_t kLastLookNs = 500'000;
 /// Slices of waits with a deadline: of the one that ends first, and of the others, which only need
 /// to notice in time when theirs is the first.
 constexpr int64_t kFirstSliceNs = 200'000;
 constexpr int64_t kOtherSliceNs = 1'000'000;
 
-// Direct system calls: the C library's functions may be replaced by functions that lead back here.
-
-/// Sleeps in real time.
-void RealSleep(long ns) {
-  const timespec duration = {0, ns};
-  ::syscall(SYS_nanosleep, &duration, nullptr);
-}
-
-void WaitFor(std::atomic<int>* word, int seen) {
-  ::syscall(SYS_futex, word, FUTEX_WAIT_PRIVATE, seen, nullptr);
-}
-
-void WakeAll(std::atomic<int>* word) {
+void ChangeAndWake(std::atomic<int>* word) {
   word->fetch_add(1);
-  ::syscall(SYS_futex, word, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
+  WakeAll(word);
 }
 
 }  // namespace
@@ -51,17 +33,12 @@ VirtualTime& VirtualTime::OfProcess() {
   return time;
 }
 
-Waits VirtualTime::OthersOfProcessWait(std::span<const ThreadId> asleep,
-                                       std::span<const ThreadId> in_slices) {
-  return WaitingThreads::OfProcess().OthersWait(asleep, in_slices);
-}
-
 VirtualTime::~VirtualTime() {
   {
     const std::lock_guard lock(mutex_);
     if (helped_process_ != CallingProcess()) return;
     ends_ = true;
-    WakeAll(&helper_calls_);
+    ChangeAndWake(&helper_calls_);
   }
   ::pthread_join(helper_, nullptr);
 }
@@ -113,7 +90,7 @@ bool VirtualTime::IsPassingSomeone(int64_t now) const {
 }
 
 void VirtualTime::TellPassing() {
-  if (passing_ > 0) WakeAll(&gone_);
+  if (passing_ > 0) ChangeAndWake(&gone_);
 }
 
 // A thread that waits for the lock, or was woken and has not gone on, looks asleep.
@@ -180,7 +157,7 @@ void VirtualTime::WakeOne(const Sleeper& sleeper, Woken how) {
   if (is_own) return;
   bed->is_going = true;
   ++going_;
-  WakeAll(&bed->changes);
+  ChangeAndWake(&bed->changes);
 }
 
 void VirtualTime::Wake(const std::atomic<int>& word, bool all) {
@@ -211,7 +188,7 @@ void VirtualTime::ListenTo(WakeUps* source) {
   source_ = source;
 }
 
-Waits VirtualTime::HowOthersWait(std::unique_lock<std::mutex>* lock) {
+Waits VirtualTime::AskOthers(std::unique_lock<std::mutex>* lock) {
   if (going_ > 0) return Waits::kNot;
   const ThreadId own = CallingThread();
   std::vector<ThreadId> asleep;
@@ -234,7 +211,7 @@ bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
   if (WakeDue()) return true;
   const Sleeper* first = First();
   if (first == nullptr || first->bed == nullptr || acting_ != 0) return false;
-  const Waits others = HowOthersWait(lock);
+  const Waits others = AskOthers(lock);
   if (others == Waits::kNot) return false;
   if (source_ != nullptr) {
     if (!FollowSource(lock)) return true;
@@ -312,7 +289,7 @@ int64_t VirtualTime::Sleep(int64_t deadline_ns, Bed* own_bed) {
     if (helped) {
       WaitFor(&bed.changes, seen);
     } else {
-      RealSleep(kLastLookNs);
+      WaitFor(&bed.changes, seen, kLastLookNs);
     }
     lock = Enter();
   }
@@ -338,7 +315,7 @@ int64_t VirtualTime::NextSliceNs(const Wait& wait) {
   }
   if (now_ns_ >= wait.deadline_ns) return 0;
   if (First()->number != wait.number) return kOtherSliceNs;
-  if (acting_ == 0 && HowOthersWait(&lock) != Waits::kNot &&
+  if (acting_ == 0 && AskOthers(&lock) != Waits::kNot &&
       (source_ == nullptr || FollowSource(&lock))) {
     return 0;
   }
@@ -361,32 +338,26 @@ void VirtualTime::LetOthersPass() {
 
 bool VirtualTime::CallHelper() {
   if (helped_process_ != CallingProcess()) return StartHelper();
-  if (helper_rests_) WakeAll(&helper_calls_);
+  if (helper_rests_) ChangeAndWake(&helper_calls_);
   helper_rests_ = false;
   return true;
 }
 
 bool VirtualTime::StartHelper() {
-  // It receives none of the host's signals.
-  sigset_t all;
-  sigset_t before;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
   const auto help = [](void* time) -> void* {
     static_cast<VirtualTime*>(time)->Help();
     return nullptr;
   };
   helper_rests_ = false;
-  const bool started = ::pthread_create(&helper_, nullptr, help, this) == 0;
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  const bool started = StartOwnThread(&helper_, help, this);
   if (started) helped_process_ = CallingProcess();
   return started;
 }
 
 void VirtualTime::Help() {
-  const WaitingThreads::LeftOut helper;
+  const LeftOutThread helper;
   std::unique_lock lock(mutex_);
-  long look_ns = kFirstLookNs;
+  int64_t look_ns = kFirstLookNs;
   while (!ends_) {
     const int64_t seen = changes_;
     const int calls = helper_calls_;
@@ -406,15 +377,9 @@ void VirtualTime::Help() {
 
 // --- fork() --------------------------------------------------------------------------------------
 
-void VirtualTime::LockForFork() {
-  Enter().release();
-  WaitingThreads::OfProcess().LockForFork();
-}
+void VirtualTime::LockForFork() { Enter().release(); }
 
-void VirtualTime::UnlockAfterFork() {
-  WaitingThreads::OfProcess().UnlockAfterFork();
-  mutex_.unlock();
-}
+void VirtualTime::UnlockAfterFork() { mutex_.unlock(); }
 
 void VirtualTime::BecomeChild() {
   sleepers_.clear();

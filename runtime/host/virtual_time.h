@@ -36,7 +36,7 @@
 // times are the same as long as only one of them runs at a time; threads that run in parallel can
 // race as usual.
 //
-// Thread-safe. Linux only: whether a thread waits is asked in waiting_threads.h.
+// Thread-safe. Whether a thread waits is asked in thread_waits.h.
 // Tested by tests/runtime/virtual_time_test.cc.
 #pragma once
 
@@ -53,7 +53,7 @@
 #include <utility>
 
 #include "runtime/host/calling_thread.h"
-#include "runtime/host/waiting_threads.h"
+#include "runtime/host/thread_waits.h"
 
 namespace oncard::runtime {
 
@@ -73,7 +73,7 @@ class WakeUps {
 
 class VirtualTime {
  public:
-  /// WaitingThreads::OthersWait().
+  /// HowOthersWait().
   using OthersWait =
       std::function<Waits(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices)>;
   /// A wait with a deadline, from BeginWait() to EndWait().
@@ -87,7 +87,7 @@ class VirtualTime {
   /// The deadline of a wait that has none.
   static constexpr int64_t kNeverNs = INT64_MAX;
 
-  explicit VirtualTime(OthersWait others_wait = OthersOfProcessWait)
+  explicit VirtualTime(OthersWait others_wait = HowOthersWait)
       : others_wait_(std::move(others_wait)) {}
   VirtualTime(const VirtualTime&) = delete;
   VirtualTime& operator=(const VirtualTime&) = delete;
@@ -163,9 +163,6 @@ class VirtualTime {
     }
   };
 
-  static Waits OthersOfProcessWait(std::span<const ThreadId> asleep,
-                                   std::span<const ThreadId> in_slices);
-
   /// Locks, for a thread of the host. Whoever looks whether the others wait sees that it came.
   std::unique_lock<std::mutex> Enter();
   void Add(const Sleeper& sleeper);
@@ -191,7 +188,7 @@ class VirtualTime {
   /// Wakes the sleepers whose moment has come; true if there was one.
   bool WakeDue();
   /// Whether every other thread waits, and kept waiting during the check. Unlocks in between.
-  Waits HowOthersWait(std::unique_lock<std::mutex>* lock);
+  Waits AskOthers(std::unique_lock<std::mutex>* lock);
   /// True while sleepers whose moment has come have not gone on; waits of `own` and those that a
   /// handler has interrupted do not count.
   bool IsPassingSomeone(int64_t now) const;

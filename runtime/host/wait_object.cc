@@ -1,12 +1,6 @@
 #include "runtime/host/wait_object.h"
 
-#include <linux/futex.h>
-#include <sys/syscall.h>
-#include <time.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <climits>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -16,6 +10,7 @@
 #include "runtime/host/host_clock.h"
 #include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_time.h"
+#include "runtime/host/system_waits.h"
 #include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
@@ -51,7 +46,7 @@ void WaitObject::Set() {
   if (HostTimeIsVirtual()) {
     VirtualTime::OfProcess().Wake(changes_, kind_ != Kind::kAutomaticEvent);
   } else {
-    ::syscall(SYS_futex, &changes_, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
+    WakeAll(&changes_);
   }
 }
 
@@ -96,10 +91,7 @@ WaitObject::End WaitObject::WaitInRealTime(int64_t duration_ns) {
     if (duration_ns >= 0) left_ns = duration_ns - (HostClock::SteadyNanoseconds() - begin_ns);
     if (left_ns <= 0) return End::kTimeOut;
     if (interrupts.Awaited()) left_ns = std::min(left_ns, kRealStepNs);
-    constexpr int64_t kSecondNs = 1'000'000'000;
-    const timespec at_most = {static_cast<time_t>(left_ns / kSecondNs),
-                              static_cast<long>(left_ns % kSecondNs)};
-    ::syscall(SYS_futex, &changes_, FUTEX_WAIT_PRIVATE, seen, &at_most);
+    WaitFor(&changes_, seen, left_ns);
   }
 }
 

@@ -69,14 +69,18 @@ WaitingThreads& WaitingThreads::OfProcess() {
 
 WaitingThreads::~WaitingThreads() { CloseAll(); }
 
-WaitingThreads::LeftOut::LeftOut() {
+Waits HowOthersWait(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices) {
+  return WaitingThreads::OfProcess().OthersWait(asleep, in_slices);
+}
+
+LeftOutThread::LeftOutThread() {
   for (auto& out : left_out) {
     ThreadId none = 0;
     if (out.compare_exchange_strong(none, CallingThread())) return;
   }
 }
 
-WaitingThreads::LeftOut::~LeftOut() {
+LeftOutThread::~LeftOutThread() {
   for (auto& out : left_out) {
     ThreadId own = CallingThread();
     out.compare_exchange_strong(own, 0);

@@ -27,15 +27,9 @@
 
 #include "runtime/host/calling_thread.h"
 #include "runtime/host/kept_descriptor.h"
+#include "runtime/host/thread_waits.h"
 
 namespace oncard::runtime {
-
-/// Whether threads wait, and for what.
-enum class Waits : uint8_t {
-  kNot,         ///< one of them runs
-  kForThreads,  ///< each for others, or with a deadline
-  kForOutside,  ///< one of them at least for what may come from outside, or for what is not known
-};
 
 class WaitingThreads {
  public:
@@ -47,19 +41,8 @@ class WaitingThreads {
   /// The process's own; never destroyed.
   static WaitingThreads& OfProcess();
 
-  /// Whether all threads of the process except the calling one wait. Threads `asleep` do: they are
-  /// not looked at. Threads `in_slices` wait for something again and again, up to a deadline: they
-  /// may have run from one such wait to the next.
+  /// HowOthersWait().
   Waits OthersWait(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices);
-
-  /// During its lifetime the calling thread does not belong to the host: it is not looked at.
-  class LeftOut {
-   public:
-    LeftOut();
-    LeftOut(const LeftOut&) = delete;
-    LeftOut& operator=(const LeftOut&) = delete;
-    ~LeftOut();
-  };
 
   /// Around fork().
   void LockForFork() { mutex_.lock(); }

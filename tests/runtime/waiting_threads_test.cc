@@ -149,7 +149,7 @@ TEST(WaitingThreadsTest, AThreadThatIsLeftOutMayWork) {
   std::atomic<bool> left_out = false;
   std::atomic<bool> ends = false;
   std::thread worker([&] {
-    const WaitingThreads::LeftOut own;
+    const LeftOutThread own;
     left_out = true;
     while (!ends) {
     }
