@@ -1,10 +1,6 @@
 #include "runtime/host/host_api.h"
 
-#include <sys/uio.h>
-#include <unistd.h>
-
 #include <atomic>
-#include <iterator>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -14,6 +10,7 @@
 #include "runtime/host/card_table.h"
 #include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_refusals.h"
+#include "runtime/host/host_system.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/library.h"
 #include "runtime/host/services.h"
@@ -129,13 +126,9 @@ int16_t RefuseInterruption(const gtcalls::Command& command) {
   constexpr std::string_view kReason[] = {
       " is refused: the signal handler that calls it has interrupted another call of its thread\n",
       " 被拒绝：调用它的信号处理函数中断了同一线程的另一次调用\n"};
-  std::string_view parts[] = {"oncard: ", command.name,
-                              kReason[LanguageFromEnvironment() == Language::kChinese ? 1 : 0]};
-  iovec pieces[std::size(parts)];
-  for (size_t i = 0; i < std::size(parts); ++i) {
-    pieces[i] = {const_cast<char*>(parts[i].data()), parts[i].size()};
-  }
-  [[maybe_unused]] const ssize_t written = ::writev(STDERR_FILENO, pieces, std::size(pieces));
+  const std::string_view parts[] = {
+      "oncard: ", command.name, kReason[LanguageFromEnvironment() == Language::kChinese ? 1 : 0]};
+  WriteToStandardError(parts);
   return vm::kRefused;
 }
 

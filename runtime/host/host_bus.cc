@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,12 +61,6 @@ void TakeEni(const std::string& folder, Scenario* scenario) {
   }
   bus.configured = std::move(configured);
   if (bus.slaves.empty()) bus.slaves = bus.configured;
-}
-
-std::string FolderOfProgram() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::string() : program.parent_path().string();
 }
 
 }  // namespace oncard::runtime

@@ -13,7 +13,4 @@ namespace oncard::runtime {
 /// drive that is connected says which motor it moves; others have the axes that are free.
 void TakeEni(const std::string& folder, Scenario* scenario);
 
-/// The folder of the program that runs; empty if it cannot be found.
-std::string FolderOfProgram();
-
 }  // namespace oncard::runtime

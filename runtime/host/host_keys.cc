@@ -1,16 +1,16 @@
 #include "runtime/host/host_keys.h"
 
-#include <sys/ioctl.h>
-#include <termios.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "base/message.h"
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
+#include "runtime/host/host_system.h"
 #include "runtime/host/host_time.h"
+#include "runtime/host/terminal.h"
 
 namespace oncard::runtime {
 namespace {
@@ -18,30 +18,6 @@ namespace {
 /// How often a host may ask for a key after the last one. Once is normal: "press any key" at its
 /// end.
 constexpr int kReadsAfterEnd = 1000;
-
-/// Switches the terminal to single keys without echo, from the first read to the end of the
-/// process.
-class RawTerminal {
- public:
-  RawTerminal() {
-    if (::tcgetattr(STDIN_FILENO, &before_) != 0) return;
-    changed_ = true;
-    termios raw = before_;
-    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-    ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
-  }
-  RawTerminal(const RawTerminal&) = delete;
-  RawTerminal& operator=(const RawTerminal&) = delete;
-  ~RawTerminal() {
-    if (changed_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-  }
-
- private:
-  termios before_{};
-  bool changed_ = false;
-};
-
-void OpenTerminal() { static const RawTerminal terminal; }
 
 /// The keys from the environment and from the scenario.
 std::vector<KeyPress> ScriptOfProcess() {
@@ -86,10 +62,7 @@ bool HostKeys::Hit() {
     const std::lock_guard lock(mutex_);
     return next_ < keys_.size() && keys_[next_].at_ns <= now_ns;
   }
-  OpenTerminal();
-  // Not poll(), which would report the end of the input as a key.
-  int available = 0;
-  return ::ioctl(STDIN_FILENO, FIONREAD, &available) == 0 && available > 0;
+  return TerminalHasKey();
 }
 
 int HostKeys::Read() {
@@ -107,7 +80,7 @@ int HostKeys::Read() {
       "或场景文件）",
       kReadsAfterEnd);
   std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
-  std::exit(kExitNoMoreKeys);
+  ExitHost(kExitNoMoreKeys);
 }
 
 int HostKeys::ReadScripted() {
@@ -129,12 +102,6 @@ int HostKeys::ReadScripted() {
   return key.character;
 }
 
-int HostKeys::ReadNext() {
-  if (scripted_) return ReadScripted();
-  OpenTerminal();
-  std::fflush(stdout);
-  unsigned char character = 0;
-  return ::read(STDIN_FILENO, &character, 1) == 1 ? character : -1;
-}
+int HostKeys::ReadNext() { return scripted_ ? ReadScripted() : ReadTerminalKey(); }
 
 }  // namespace oncard::runtime

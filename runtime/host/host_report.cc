@@ -1,14 +1,12 @@
 #include "runtime/host/host_report.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/json_text.h"
+#include "runtime/host/host_system.h"
 
 namespace oncard::runtime {
 namespace {
@@ -37,12 +35,7 @@ bool AppendHostReport(const HostReport& report) {
                      {"failures", JsonOfMessages(report.failures)},
                      {"warnings", JsonOfMessages(report.warnings)},
                      {"held", JsonOfMessages(report.held)}};
-  const std::string line = JsonText(json) + '\n';
-  const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) return false;
-  const bool written = ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  ::close(file);
-  return written;
+  return AppendLine(path, JsonText(json) + '\n');
 }
 
 Result<HostReport> ReadHostReports(std::string_view lines) {

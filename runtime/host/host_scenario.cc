@@ -1,13 +1,10 @@
 #include "runtime/host/host_scenario.h"
 
 #include <fmt/ranges.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <mutex>
 #include <utility>
 
@@ -18,7 +15,9 @@
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_report.h"
+#include "runtime/host/host_system.h"
 #include "runtime/host/library.h"
+#include "runtime/host/system_waits.h"
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/file/expectation.h"
@@ -76,7 +75,7 @@ Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment() {
 std::vector<std::string> TraceFilesFromEnvironment() {
   const char* names = std::getenv("ONCARD_TRACE");
   std::vector<std::string> files;
-  for (const std::string_view name : Split(names == nullptr ? "" : names, ':')) {
+  for (const std::string_view name : Split(names == nullptr ? "" : names, kNameSeparator)) {
     if (!name.empty()) files.emplace_back(name);
   }
   return files;
@@ -306,8 +305,7 @@ bool ReportHost() {
 bool LockSoon(std::unique_lock<std::mutex>* lock) {
   for (int look = 0; look < 1000; ++look) {
     if (lock->try_lock()) return true;
-    const timespec duration = {0, 1'000'000};
-    ::syscall(SYS_nanosleep, &duration, nullptr);
+    RealSleep(1'000'000);
   }
   return false;
 }
@@ -323,12 +321,7 @@ void FinishHost() {
   }
   if (!ReportHost()) return;
   std::fflush(nullptr);
-  // Only such a function is given the host's exit code. The C library calls it next.
-  ::on_exit(
-      [](int status, void*) {
-        if (status == 0) ::_exit(kExitNotAsExpected);
-      },
-      nullptr);
+  ReplaceSuccess(kExitNotAsExpected);
 }
 
 void ConcludeHost() {
@@ -350,9 +343,7 @@ void EndHostIfOver(CardSlot* locked) {
     slot.SwitchOff();
     lock.release();
   }
-  const bool failed = ReportHost();
-  std::fflush(nullptr);
-  ::_exit(failed ? kExitNotAsExpected : 0);
+  EndProcess(ReportHost() ? kExitNotAsExpected : 0);
 }
 
 void LookForEndOfHost() {

@@ -25,8 +25,8 @@ struct CardSlot;
 /// The scenario, read at the first call; NULL if the environment names none.
 Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 
-/// The file names in ONCARD_TRACE, separated by colons, to which a trace of the first opened card
-/// is written (trace_file.h).
+/// The file names in ONCARD_TRACE, between kNameSeparator (host_system.h), to which a trace of the
+/// first opened card is written (trace_file.h).
 std::vector<std::string> TraceFilesFromEnvironment();
 
 /// With the number of the card before it.

@@ -14,6 +14,7 @@
 #include "runtime/host/host_memory.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"
+#include "runtime/host/host_system.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/library.h"
 #include "runtime/scenario/run/scenario_card.h"
