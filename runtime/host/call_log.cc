@@ -18,7 +18,7 @@ CallLog::CallLog(std::string_view setting, Language language) : language_(langua
     return;
   }
   const std::string path(setting.substr(kFilePrefix.size()));
-  std::FILE* file = std::fopen(path.c_str(), "w");
+  std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) {
     WriteLine(MakeMessage("cannot write the call log '{}': {}", "无法写入调用日志 '{}'：{}", path,
                           std::strerror(errno))

@@ -8,7 +8,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
+
+#include "runtime/host/kept_descriptor.h"
 
 namespace oncard::runtime {
 namespace {
@@ -43,7 +46,31 @@ bool ReserveBlocks(int file, int64_t begin, int64_t end) {
 
 }  // namespace
 
-bool MappedFile::Open(const std::string& path) {
+class MappedFile::Content {
+ public:
+  bool Open(const std::string& path);
+  bool is_open() const { return file_.get() >= 0; }
+  bool Append(std::string_view text);
+  void Finish();
+  void Abandon();
+
+ private:
+  /// Maps room for this many bytes after those that are there. False if that is impossible: the
+  /// file is finished then.
+  bool MakeRoom(int64_t size);
+  void Unmap();
+  bool Write(std::string_view text) const;
+
+  KeptDescriptor file_;
+  bool maps_ = false;
+  int64_t size_ = 0;  ///< of what was appended
+  // The part of the file that is mapped; it contains its end.
+  char* window_ = nullptr;
+  int64_t window_begin_ = 0;
+  int64_t window_end_ = 0;
+};
+
+bool MappedFile::Content::Open(const std::string& path) {
   // Only for writing: this waits for the reader of a named pipe.
   const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
   if (opened < 0) return false;
@@ -60,7 +87,7 @@ bool MappedFile::Open(const std::string& path) {
   return false;
 }
 
-bool MappedFile::Append(std::string_view text) {
+bool MappedFile::Content::Append(std::string_view text) {
   if (text.empty()) return true;
   const auto size = static_cast<int64_t>(text.size());
   if (size_ + size > window_end_ && !MakeRoom(size)) return Write(text);
@@ -71,7 +98,7 @@ bool MappedFile::Append(std::string_view text) {
   return true;
 }
 
-bool MappedFile::MakeRoom(int64_t size) {
+bool MappedFile::Content::MakeRoom(int64_t size) {
   if (!maps_) return false;
   Unmap();
   const int64_t begin = size_ / kStep * kStep;
@@ -90,7 +117,7 @@ bool MappedFile::MakeRoom(int64_t size) {
   return false;
 }
 
-void MappedFile::Finish() {
+void MappedFile::Content::Finish() {
   if (!maps_) return;
   maps_ = false;
   Unmap();
@@ -101,20 +128,20 @@ void MappedFile::Finish() {
   ::lseek(file_.get(), size_, SEEK_SET);
 }
 
-void MappedFile::Abandon() {
+void MappedFile::Content::Abandon() {
   maps_ = false;
   Unmap();
   file_.Close();
 }
 
-void MappedFile::Unmap() {
+void MappedFile::Content::Unmap() {
   if (window_ != nullptr) ::munmap(window_, static_cast<size_t>(window_end_ - window_begin_));
   window_ = nullptr;
   window_begin_ = 0;
   window_end_ = 0;
 }
 
-bool MappedFile::Write(std::string_view text) const {
+bool MappedFile::Content::Write(std::string_view text) const {
   if (!file_.Status()) return false;
   while (!text.empty()) {
     const ssize_t written = ::write(file_.get(), text.data(), text.size());
@@ -124,5 +151,13 @@ bool MappedFile::Write(std::string_view text) const {
   }
   return true;
 }
+
+MappedFile::MappedFile() : content_(std::make_unique<Content>()) {}
+MappedFile::~MappedFile() { content_->Finish(); }
+bool MappedFile::Open(const std::string& path) { return content_->Open(path); }
+bool MappedFile::is_open() const { return content_->is_open(); }
+bool MappedFile::Append(std::string_view text) { return content_->Append(text); }
+void MappedFile::Finish() { content_->Finish(); }
+void MappedFile::Abandon() { content_->Abandon(); }
 
 }  // namespace oncard::runtime

@@ -11,28 +11,27 @@
 // while it is mapped ends the process by SIGBUS, as for every mapped file: so another MappedFile
 // does not open it meanwhile.
 //
-// Not thread-safe. Linux only. Tested by tests/runtime/mapped_file_test.cc.
+// Not thread-safe. Tested by tests/runtime/mapped_file_test.cc.
 #pragma once
 
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
-
-#include "runtime/host/kept_descriptor.h"
 
 namespace oncard::runtime {
 
 class MappedFile {
  public:
-  MappedFile() = default;
+  MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
-  ~MappedFile() { Finish(); }
+  /// As Finish().
+  ~MappedFile();
 
   /// Creates the file, or empties an old one. False with errno if that fails; with EWOULDBLOCK if
   /// another process writes it in this way.
   bool Open(const std::string& path);
-  bool is_open() const { return file_.get() >= 0; }
+  bool is_open() const;
   /// False if not all of it could be written.
   bool Append(std::string_view text);
   /// Cuts off the zero bytes. What is appended after that is written by system calls.
@@ -41,19 +40,8 @@ class MappedFile {
   void Abandon();
 
  private:
-  /// Maps room for this many bytes after those that are there. False if that is impossible: the
-  /// file is finished then.
-  bool MakeRoom(int64_t size);
-  void Unmap();
-  bool Write(std::string_view text) const;
-
-  KeptDescriptor file_;
-  bool maps_ = false;
-  int64_t size_ = 0;  ///< of what was appended
-  // The part of the file that is mapped; it contains its end.
-  char* window_ = nullptr;
-  int64_t window_begin_ = 0;
-  int64_t window_end_ = 0;
+  class Content;
+  std::unique_ptr<Content> content_;
 };
 
 }  // namespace oncard::runtime
