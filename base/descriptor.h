@@ -1,7 +1,11 @@
-// A file descriptor that is closed with its scope.
+// A file descriptor that is closed with its scope, and the calls by which files.cc reads: those of
+// descriptor.cc on Linux, of descriptor_windows.cc on Windows.
 #pragma once
 
 #include <unistd.h>
+
+#include <cstddef>
+#include <string>
 
 namespace oncard {
 
@@ -19,5 +23,10 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// Opens a file to read its bytes, without waiting for anybody; -1 with errno.
+int OpenToRead(const std::string& path);
+/// Reads up to `size` bytes; 0 at the end, -1 with errno.
+ptrdiff_t ReadSome(int descriptor, char* bytes, size_t size);
 
 }  // namespace oncard

@@ -1,12 +1,11 @@
 // Tested by tests/base/files_test.cc.
 #include "base/files.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -52,7 +51,7 @@ Result<std::string> ReadAll(int descriptor, const std::string& path, size_t expe
     const size_t wanted =
         std::min(std::max(content.capacity() - before, kStep), kind.bytes_max + 1 - before);
     content.resize(before + wanted);
-    const ssize_t count = ::read(descriptor, content.data() + before, wanted);
+    const ptrdiff_t count = ReadSome(descriptor, content.data() + before, wanted);
     content.resize(before + (count > 0 ? static_cast<size_t>(count) : 0));
     if (count == 0) return content;
     if (count < 0 && errno != EINTR) {
@@ -70,7 +69,7 @@ Result<std::string> ReadFile(const std::string& path, const FileKind& kind) {
   // Opening a device can have effects, so the type is checked first.
   if (auto regular = CheckRegular(path, info); !regular.ok()) return regular.error();
   // The name may have become a pipe in between: opening it must not block.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  const Descriptor file(OpenToRead(path));
   if (file.get() < 0 || ::fstat(file.get(), &info) != 0) return OpenError(path);
   if (auto regular = CheckRegular(path, info); !regular.ok()) return regular.error();
   if (static_cast<uint64_t>(info.st_size) > kind.bytes_max) {

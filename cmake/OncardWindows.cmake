@@ -7,11 +7,14 @@ if(NOT EXISTS "${ONCARD_GENERATE_INTERFACE}")
 endif()
 include(OncardHeaderOnly)
 
+# Where a source takes care of a system, the one for Windows ends so.
+set(ONCARD_SYSTEM _windows)
+
 # The interface of Windows 7, without the parts that define short words as macros. printf() is that
 # of C, not that of the old library of Windows. Unity builds have more sections than the plain format
-# of objects can number.
+# of objects can number. Sizes of files have 64 bits.
 target_compile_definitions(oncard_options INTERFACE
-  _WIN32_WINNT=0x0601 NOMINMAX WIN32_LEAN_AND_MEAN __USE_MINGW_ANSI_STDIO=1)
+  _WIN32_WINNT=0x0601 _FILE_OFFSET_BITS=64 NOMINMAX WIN32_LEAN_AND_MEAN __USE_MINGW_ANSI_STDIO=1)
 target_compile_options(oncard_options INTERFACE -Wa,-mbig-obj)
 if(CMAKE_SIZEOF_VOID_P EQUAL 4)
   # As in OncardHost32: the results of 64 bits. Threads of a host may have a stack that is aligned to
