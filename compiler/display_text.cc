@@ -2,13 +2,13 @@
 #include "compiler/display_text.h"
 
 #include <fmt/core.h>
-#include <iconv.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 
+#include "compiler/gbk_decoder.h"
 #include "compiler/text.h"
 
 namespace oncard::compiler {
@@ -92,42 +92,14 @@ std::optional<Character> DecodeUtf8(std::string_view text, size_t offset) {
   return Character{size, code};
 }
 
-// Converts single GBK characters; without GBK support in the C library no conversion succeeds.
-class GbkDecoder {
- public:
-  GbkDecoder() : handle_(::iconv_open("UTF-32LE", "GBK")) {}
-  GbkDecoder(const GbkDecoder&) = delete;
-  GbkDecoder& operator=(const GbkDecoder&) = delete;
-  ~GbkDecoder() {
-    if (Available()) ::iconv_close(handle_);
-  }
-
-  std::optional<Character> Decode(std::string_view text, size_t offset) {
-    const uint8_t lead = static_cast<uint8_t>(text[offset]);
-    if (lead < 0x80) return Character{1, lead};
-    if (!Available() || offset + 2 > text.size()) return std::nullopt;
-    char input[2] = {text[offset], text[offset + 1]};
-    uint8_t output[4] = {};
-    char* from = input;
-    char* to = reinterpret_cast<char*>(output);
-    size_t from_left = sizeof input;
-    size_t to_left = sizeof output;
-    ::iconv(handle_, nullptr, nullptr, nullptr, nullptr);
-    if (::iconv(handle_, &from, &from_left, &to, &to_left) == static_cast<size_t>(-1) ||
-        from_left != 0 || to_left != 0) {
-      return std::nullopt;
-    }
-    char32_t code = 0;
-    for (size_t i = 0; i < sizeof output; ++i) code |= static_cast<char32_t>(output[i]) << (8 * i);
-    return Character{2, code};
-  }
-
- private:
-  // iconv_open() reports an error by the pointer value -1.
-  bool Available() const { return reinterpret_cast<intptr_t>(handle_) != -1; }
-
-  iconv_t handle_;
-};
+// The same for GBK.
+std::optional<Character> DecodeGbk(GbkDecoder& decoder, std::string_view text, size_t offset) {
+  const uint8_t lead = static_cast<uint8_t>(text[offset]);
+  if (lead < 0x80) return Character{1, lead};
+  if (offset + 2 > text.size()) return std::nullopt;
+  const auto code = decoder.Decode(text[offset], text[offset + 1]);
+  return code ? std::optional(Character{2, *code}) : std::nullopt;
+}
 
 void AppendUtf8(std::string& text, char32_t code) {
   const auto put = [&text](char32_t byte) {
@@ -174,7 +146,7 @@ DisplayLine::DisplayLine(std::string_view line) {
   if (!utf8) gbk.emplace();
   int column = 0;
   for (size_t offset = 0; offset < line.size();) {
-    const auto character = utf8 ? DecodeUtf8(line, offset) : gbk->Decode(line, offset);
+    const auto character = utf8 ? DecodeUtf8(line, offset) : DecodeGbk(*gbk, line, offset);
     const size_t size = character ? character->size : 1;
     columns_.insert(columns_.end(), size, column);
     offsets_.insert(offsets_.end(), size, text_.size());

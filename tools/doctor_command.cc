@@ -1,13 +1,13 @@
 // oncard doctor: shows versions, what this build supports, and what is missing.
 #include <fmt/format.h>
 #include <httplib.h>
-#include <iconv.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>
 
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "compiler/gbk_decoder.h"
 #include "gtcalls/families.h"
 #include "gtcalls/family.h"
 #include "tools/commands.h"
@@ -43,13 +43,6 @@ struct Fact {
   Message name;
   std::string value;
 };
-
-bool HasGbk() {
-  const iconv_t handle = ::iconv_open("UTF-32LE", "GBK");
-  if (reinterpret_cast<intptr_t>(handle) == -1) return false;
-  ::iconv_close(handle);
-  return true;
-}
 
 std::vector<Fact> Facts(const gtcalls::Family& family) {
   const auto commands = family.catalogue.commands();
@@ -104,7 +97,7 @@ struct OptionalPart {
 std::vector<OptionalPart> OptionalParts() {
   return {{"gbk",
            {"GBK comments in messages", "消息中显示 GBK 注释"},
-           HasGbk(),
+           compiler::GbkDecoder().Available(),
            {"the C library's converters are missing: install libc-bin and libc6",
             "缺少 C 库的字符转换模块：请安装 libc-bin 和 libc6"}},
           {"gnuplot",
