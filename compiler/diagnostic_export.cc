@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "base/path_bytes.h"
 #include "compiler/diagnostic_printer.h"
 
 namespace oncard::compiler {
@@ -74,8 +75,12 @@ Json DiagnosticToJson(const Compilation& compilation, const Diagnostic& diagnost
 
 // A path as a URI reference: characters that RFC 3986 does not allow in a path are percent-encoded.
 std::string UriOf(const std::string& path) {
-  std::string uri = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
+  const std::filesystem::path file = PathOf(path);
+  const std::string name = FileNameOf(file);
+  // Before a drive there is another /.
+  const std::string_view root = name.starts_with('/') ? "file://" : "file:///";
+  std::string uri(file.is_absolute() ? root : "");
+  for (const char c : name) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool digit = c >= '0' && c <= '9';
     if (letter || digit || std::string_view("/-._~").find(c) != std::string_view::npos) {

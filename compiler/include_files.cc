@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 
 namespace oncard::compiler {
 namespace {
@@ -31,7 +32,7 @@ std::string InFolder(const std::string& folder, const std::string& name) {
 IncludedFile FindInclude(const std::string& name, const std::vector<std::string>& beside,
                          const Options& options, const FileReader& reader) {
   std::vector<std::string> paths;
-  if (name.front() == '/') {
+  if (PathOf(name).has_root_directory()) {
     paths.push_back(name);
   } else {
     for (const std::string& file : beside) paths.push_back(FolderOf(file) + name);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/path_bytes.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/record/call_replay.h"
 
@@ -64,7 +65,7 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   Findings findings = FindingsOf(scenario, &card, ExploreCard(&card, options));
   Subject& subject = findings.subject;
   subject.scenario.clear();
-  subject.record = std::filesystem::path(path).filename().string();
+  subject.record = FileNameOf(PathOf(path).filename());
   subject.scenario_hash = XXH64(text.data(), text.size(), 0);
   subject.card = CardConditionsOf(scenario);
   if (card.host()->cut())

@@ -6,6 +6,7 @@
 #include <bit>
 #include <filesystem>
 
+#include "base/path_bytes.h"
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
 #include "runtime/scenario/run/adapted_schedule.h"
@@ -131,9 +132,7 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
 }
 
 void Describe(const runtime::Scenario& scenario, Subject* subject) {
-  const auto name_of = [](const std::string& path) {
-    return std::filesystem::path(path).filename().string();
-  };
+  const auto name_of = [](const std::string& path) { return FileNameOf(PathOf(path).filename()); };
   subject->program = name_of(scenario.program);
   if (scenario.path.ends_with(".toml")) subject->scenario = name_of(scenario.path);
   // The folders of the files do not influence what is explored.

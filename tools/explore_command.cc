@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 #include "explore/failure_files.h"
 #include "explore/host_exploration.h"
 #include "explore/scenario_exploration.h"
@@ -41,7 +42,7 @@ int SaveSchedule(const std::string& path, const Invocation& invocation,
 /// together with the schedule. Returns the exit code.
 int SaveRegression(const std::string& path, const Invocation& invocation,
                    const ExploreSubject& subject, const explore::Findings& findings) {
-  const std::string schedule = std::filesystem::path(path).replace_extension(".schedule").string();
+  const std::string schedule = FileNameOf(PathOf(path).replace_extension(".schedule"));
   const auto text = explore::RegressionScenario(ExploredOf(subject), findings, path, schedule);
   if (!text.ok()) return Fail(invocation, kExitUsage, text.error().message);
   const int saved = SaveSchedule(schedule, invocation, subject, findings);
@@ -187,8 +188,8 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Invocation& invocat
   }
   std::string path = arguments.search;
   if (path.empty()) {
-    path = fmt::format("{}.{}-of-{}.search", std::filesystem::path(input).stem().string(),
-                       part.number, part.count);
+    path = fmt::format("{}.{}-of-{}.search", FileNameOf(PathOf(input).stem()), part.number,
+                       part.count);
   }
   ExploreSubject subject;
   explore::SearchFile file;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 #include "tools/explore_search.h"
 
 namespace oncard::tools {
@@ -15,7 +16,7 @@ namespace {
 
 /// A name from that of the input which no file has yet.
 std::string FreeName(const std::string& input) {
-  const std::string name = std::filesystem::path(input).stem().string();
+  const std::string name = FileNameOf(PathOf(input).stem());
   std::string path = name + ".search";
   for (int i = 2; FileExists(path); ++i) {
     path = fmt::format("{}.{}.search", name, i);

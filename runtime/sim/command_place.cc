@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/milliseconds.h"
+#include "base/path_bytes.h"
 #include "runtime/sim/call_text.h"
 
 namespace oncard::runtime {
@@ -34,8 +35,9 @@ Message DescribePlace(const CommandPlace& place, const std::string& program_path
   // Nobody has called anything, or it is no longer known.
   if (place.thread == vm::kHostCaller && place.call.empty()) return {};
   if (place.thread == vm::kHostCaller) return {place.call + ": ", place.call + "："};
-  const std::filesystem::path folder = std::filesystem::path(program_path).parent_path();
-  const std::string line = fmt::format("{}:{}", (folder / place.file).string(), place.line);
+  const std::filesystem::path folder = PathOf(program_path).parent_path();
+  const std::string line =
+      fmt::format("{}:{}", FileNameOf(folder / PathOf(place.file)), place.line);
   return MakeMessage("{0}: thread {1} {2}: ", "{0}：线程 {1} {2}：", line, place.thread,
                      place.function);
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/path_bytes.h"
 #include "vm/object_reader.h"
 
 namespace oncard::runtime {
@@ -32,9 +33,9 @@ ProgramLoad LoadProgram(const std::string& path, const compiler::Options& option
 
 std::string SourcePlace(const std::string& program_path, const vm::Function& function,
                         size_t instruction) {
-  const std::filesystem::path folder = std::filesystem::path(program_path).parent_path();
+  const std::filesystem::path folder = PathOf(program_path).parent_path();
   const int line = instruction < function.lines.size() ? function.lines[instruction] : 0;
-  return fmt::format("{}:{}", (folder / function.file).string(), line);
+  return fmt::format("{}:{}", FileNameOf(folder / PathOf(function.file)), line);
 }
 
 }  // namespace oncard::runtime

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/number.h"
+#include "base/path_bytes.h"
 #include "base/split.h"
 #include "base/trim.h"
 #include "gtcalls/family.h"
@@ -105,20 +106,20 @@ std::string FormatScenario(const Scenario& scenario) {
 }
 
 std::string PathFromScenario(const Scenario& scenario, const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(scenario.path).parent_path();
-  return (folder / path).lexically_normal().string();
+  const std::filesystem::path folder = PathOf(scenario.path).parent_path();
+  return FileNameOf((folder / PathOf(path)).lexically_normal());
 }
 
 std::string PathToScenario(const Scenario& scenario, const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(scenario.path).parent_path();
-  if (folder.empty() || std::filesystem::path(path).is_absolute()) return path;
-  return NameFromFolder(path, folder.string());
+  const std::filesystem::path folder = PathOf(scenario.path).parent_path();
+  if (folder.empty() || PathOf(path).is_absolute()) return path;
+  return NameFromFolder(path, FileNameOf(folder));
 }
 
 std::string TitleOf(const Scenario& scenario) {
   if (!scenario.title.empty()) return scenario.title;
   const std::string& path = scenario.path.empty() ? scenario.program : scenario.path;
-  return std::filesystem::path(path).stem().string();
+  return FileNameOf(PathOf(path).stem());
 }
 
 std::string ProgramPath(const Scenario& scenario) {
