@@ -1,7 +1,7 @@
 # oncard_family(name EXPORTS pattern ... SOURCES file ...
 #               [HEADER file ...] [MODULE_HEADER file] [OTHER_HEADERS file ...]
 #               [MULTI_CARD] [BASIC_LAYOUTS] [INTERRUPTS]
-#               [GENERATOR target] [INCLUDE_DIR folder]):
+#               [GENERATOR target] [INCLUDE_DIR folder] [LONG32_OF family]):
 # all that a family of cards needs beside its catalogue and functions. Makes the targets
 #
 #   oncard::<name>_interface     the folder with its headers
@@ -14,7 +14,8 @@
 # and BASIC_LAYOUTS are the parts that its InterfaceForm (gtcalls/interface_form.h) may have;
 # OTHER_HEADERS are copied. INTERRUPTS: its cards interrupt their host, for which the library has
 # events and handlers. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
-# both are those of the project.
+# both are those of the project. LONG32_OF makes another library of a family, for declarations that
+# were written for Windows: a `long` has 32 bits in it.
 
 # The version of the interface of all host libraries. It changes when hosts that were linked before
 # would no longer run: when a function is taken away, or its parameters change (tests/abi). One number
@@ -22,8 +23,8 @@
 set(ONCARD_SOVERSION 1)
 
 function(oncard_family name)
-  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS;INTERRUPTS" "GENERATOR;INCLUDE_DIR;MODULE_HEADER"
-    "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS;INTERRUPTS"
+    "GENERATOR;INCLUDE_DIR;LONG32_OF;MODULE_HEADER" "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
   if(NOT ARG_GENERATOR)
     set(ARG_GENERATOR generate_interface)
   endif()
@@ -33,16 +34,23 @@ function(oncard_family name)
   if(NOT ARG_INCLUDE_DIR)
     set(ARG_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
   endif()
+  set(family ${name})
+  set(form)
+  if(ARG_LONG32_OF)
+    set(family ${ARG_LONG32_OF})
+    set(form long32-)
+  endif()
 
   set(headers)
   foreach(header IN LISTS ARG_HEADER)
     list(APPEND headers ${ARG_INCLUDE_DIR}/${header})
-    oncard_interface_file(${name} ${ARG_GENERATOR} header ${ARG_INCLUDE_DIR}/${header})
+    oncard_interface_file(${family} ${ARG_GENERATOR} ${form}header ${ARG_INCLUDE_DIR}/${header})
   endforeach()
   set(parts entry-points structures)
   if(ARG_MODULE_HEADER)
     list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
-    oncard_interface_file(${name} ${ARG_GENERATOR} module-header ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
+    oncard_interface_file(${family} ${ARG_GENERATOR} ${form}module-header
+      ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
   endif()
   set(generated ${headers})
   foreach(header IN LISTS ARG_OTHER_HEADERS)
@@ -60,7 +68,7 @@ function(oncard_family name)
   foreach(part IN LISTS parts)
     string(REPLACE - _ file ${part})
     list(APPEND sources ${CMAKE_CURRENT_BINARY_DIR}/${name}_${file}.cc)
-    oncard_interface_file(${name} ${ARG_GENERATOR} ${part}
+    oncard_interface_file(${family} ${ARG_GENERATOR} ${form}${part}
       ${CMAKE_CURRENT_BINARY_DIR}/${name}_${file}.cc)
   endforeach()
 
@@ -91,7 +99,10 @@ function(oncard_family name)
   set(map ${CMAKE_CURRENT_BINARY_DIR}/${name}.map)
   configure_file(${PROJECT_SOURCE_DIR}/runtime/host/family.map.in ${map} @ONLY)
   set_target_properties(${name} PROPERTIES
-    LINK_DEPENDS ${map} PUBLIC_HEADER "${headers}" SOVERSION ${ONCARD_SOVERSION} UNITY_BUILD OFF)
+    LINK_DEPENDS ${map} SOVERSION ${ONCARD_SOVERSION} UNITY_BUILD OFF)
+  if(NOT ARG_LONG32_OF)  # whose headers are not for hosts
+    set_target_properties(${name} PROPERTIES PUBLIC_HEADER "${headers}")
+  endif()
   target_link_options(${name} PRIVATE LINKER:--version-script=${map})
   if(NOT ONCARD_SANITIZE)  # a sanitizer's run-time library comes with the program
     target_link_options(${name} PRIVATE LINKER:--no-undefined)

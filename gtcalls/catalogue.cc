@@ -82,9 +82,9 @@ std::string_view SpellScalar(Scalar scalar) {
   return "double";
 }
 
-std::string DeclareParameter(const Parameter& parameter) {
+std::string DeclareParameter(const Parameter& parameter, std::string_view (*spell)(Scalar scalar)) {
   std::string_view type =
-      parameter.structure != nullptr ? parameter.structure->name : SpellScalar(parameter.type);
+      parameter.structure != nullptr ? parameter.structure->name : spell(parameter.type);
   const bool named = !parameter.type_name.empty();
   if (named) type = parameter.type_name;
   switch (parameter.passing) {

@@ -280,8 +280,10 @@ std::vector<Scalar> ArraysOf(const Structure& structure);
 
 /// The C spelling of a scalar type.
 std::string_view SpellScalar(Scalar scalar);
-/// The C declaration of a parameter without its default: `double *pValue`.
-std::string DeclareParameter(const Parameter& parameter);
+/// The C declaration of a parameter without its default: `double *pValue`. `spell` gives the names
+/// of scalar types.
+std::string DeclareParameter(const Parameter& parameter,
+                             std::string_view (*spell)(Scalar scalar) = SpellScalar);
 /// The unit in words for documentation: `pulse/ms`; empty if there is none.
 std::string_view SpellUnit(Unit unit);
 /// The range for documentation and messages, `[1, 12]` or `(0, 32767]`; empty when unbounded.

@@ -19,6 +19,10 @@
 // have two entry points: one with the plain name, for that header, and one with another prefix,
 // GTX_ for GTS, which our header uses.
 //
+// With `long32-` before it, as in `long32-header`, a file is that of a library for declarations
+// that were written for Windows, where a `long` has 32 bits. Only the library is compiled with that
+// header.
+//
 // Every family defines its names, and which of these parts it has (interface_form.h).
 //
 // Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
@@ -46,10 +50,10 @@ std::string ApiOf(const InterfaceForm& form, const Command& command) {
 }
 
 /// The parameters as declarations, or only their names, each after a comma.
-std::string Declarations(const Command& command) {
+std::string Declarations(const InterfaceForm& form, const Command& command) {
   std::string text;
   for (const Parameter& parameter : ArgumentsOf(command)) {
-    text += ", " + DeclareParameter(parameter);
+    text += ", " + DeclareParameter(parameter, form.spell);
   }
   return text;
 }
@@ -83,9 +87,9 @@ std::string Describe(const Parameter& parameter, const Command& command) {
 
 // --- The header ---------------------------------------------------------------------------------
 
-void AppendMember(std::string* out, const Member& member) {
+void AppendMember(std::string* out, const InterfaceForm& form, const Member& member) {
   const std::string_view type =
-      member.structure != nullptr ? member.structure->name : SpellScalar(member.type);
+      member.structure != nullptr ? member.structure->name : form.spell(member.type);
   Append(out, "  {} {}{}", type, member.pointer ? "*" : "", member.name);
   if (member.array_size > 0) Append(out, "[{}]", member.array_size);
   *out += ";\n";
@@ -112,7 +116,7 @@ void AppendPrototype(std::string* out, const InterfaceForm& form, const Command&
   if (multi_card) Append(&line, "{}CARD_ ", prefix);
   for (size_t i = 0; i < parameters.size(); ++i) {
     const Parameter& parameter = parameters[i];
-    std::string word = DeclareParameter(parameter);
+    std::string word = DeclareParameter(parameter, form.spell);
     if (!parameter.default_text.empty()) {
       Append(&word, " {}DEFAULT_({})", prefix, parameter.default_text);
     }
@@ -157,7 +161,7 @@ void AppendStructures(std::string* out, const InterfaceForm& form, bool module) 
   for (const Structure& structure : form.catalogue.structures()) {
     if (IsOfModule(form, structure) != module) continue;
     Append(out, "\ntypedef struct {} {{\n", structure.name);
-    for (const Member& member : structure.members) AppendMember(out, member);
+    for (const Member& member : structure.members) AppendMember(out, form, member);
     Append(out, "}} {};\n", structure.name);
   }
 }
@@ -276,7 +280,7 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
       "using oncard::runtime::CallFromHost;\n";
   for (const Command& command : form.catalogue.commands()) {
     if (!command.on_host) continue;
-    std::string declarations = Declarations(command);
+    std::string declarations = Declarations(form, command);
     if (multi_card) {
       declarations.insert(0, "short cardNum");
     } else if (!declarations.empty()) {
@@ -287,8 +291,8 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
                                          command.number, Names(command));
     Append(&out, "\n{} {}({}) {{\n", ApiOf(form, command), command.name, declarations);
     if (const Parameter* result = ResultOf(command); result != nullptr) {
-      Append(&out, "  {} = nullptr;\n  {}, &{});\n  return {};\n}}\n", DeclareParameter(*result),
-             call, result->name, result->name);
+      Append(&out, "  {} = nullptr;\n  {}, &{});\n  return {};\n}}\n",
+             DeclareParameter(*result, form.spell), call, result->name, result->name);
     } else {
       Append(&out, "  return {});\n}}\n", call);
     }
@@ -298,9 +302,9 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
 
 /// The declaration of a basic layout, with the structure's name in a namespace of its own, and the
 /// conversions between it and our layout.
-void AppendBasicLayout(std::string* out, const Structure& layout) {
+void AppendBasicLayout(std::string* out, const InterfaceForm& form, const Structure& layout) {
   Append(out, "namespace basic {{\nstruct {} {{\n", layout.name);
-  for (const Member& member : layout.members) AppendMember(out, member);
+  for (const Member& member : layout.members) AppendMember(out, form, member);
   *out += "};\n}  // namespace basic\n\n";
   for (const bool widen : {true, false}) {
     Append(out, "[[maybe_unused]] static void Copy(const {0}{2}& from, {1}{2}* to) {{\n",
@@ -322,7 +326,7 @@ std::string BasicDeclarations(const InterfaceForm& form, const Command& command)
   for (const Parameter& parameter : command.parameters) {
     text += text.empty() ? "" : ", ";
     if (IsBasic(form, parameter)) text += "basic::";
-    text += DeclareParameter(parameter);
+    text += DeclareParameter(parameter, form.spell);
   }
   return text;
 }
@@ -385,7 +389,7 @@ std::string BasicEntryPoints(const InterfaceForm& form) {
   }
   std::string out;
   Append(&out, kBasicHead, form.header, rename, restore);
-  for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, layout);
+  for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, form, layout);
   for (const Command& command : form.catalogue.commands()) {
     if (command.on_host && HasBasic(form, command)) AppendBasicEntryPoint(&out, form, command);
   }
@@ -505,6 +509,7 @@ std::string StructureConversions(const InterfaceForm& form) {
       fmt::format("&structure - gtcalls::{}().structures().data()", form.catalogue_function);
   Append(&out,
          "}}  // namespace\n\n"
+         "size_t LongSize() {{ return sizeof({5}); }}\n\n"
          "void StructureToCells(const gtcalls::Structure& structure,\n"
          "                      [[maybe_unused]] const void* host, std::span<double> cells) {{\n"
          "  [[maybe_unused]] Reader visit{{cells.data()}};\n"
@@ -523,7 +528,7 @@ std::string StructureConversions(const InterfaceForm& form) {
          "  [[maybe_unused]] ArrayReader visit{{arrays.data()}};\n"
          "  switch ({3}) {{\n{4}    default:\n      return;\n"
          "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
-         read_cases, write_cases, size_cases, position, array_cases);
+         read_cases, write_cases, size_cases, position, array_cases, form.spell(Scalar::kLong));
   return out;
 }
 
@@ -534,12 +539,12 @@ std::string_view SpellCallers(const Command& command) {
   return command.on_host ? "host, program" : "program";
 }
 
-void AppendRow(std::string* out, const Command& command) {
+void AppendRow(std::string* out, const InterfaceForm& form, const Command& command) {
   std::string prototype = std::string(command.name) + "(";
   std::string parameters;
   for (const Parameter& parameter : ArgumentsOf(command)) {
     if (!prototype.ends_with("(")) prototype += ", ";
-    prototype += DeclareParameter(parameter);
+    prototype += DeclareParameter(parameter, form.spell);
     if (!parameter.default_text.empty()) Append(&prototype, " = {}", parameter.default_text);
     const std::string description = Describe(parameter, command);
     if (description.empty()) continue;
@@ -566,7 +571,7 @@ std::string Markdown(const InterfaceForm& form) {
   std::string out(form.page_head);
   for (const Line& line : form.catalogue.lines()) {
     if (line.command != nullptr) {
-      AppendRow(&out, *line.command);
+      AppendRow(&out, form, *line.command);
       continue;
     }
     Append(&out, "\n## {}\n\n", line.topic);
@@ -577,8 +582,26 @@ std::string Markdown(const InterfaceForm& form) {
   return out;
 }
 
+/// The types of the interface with a `long` of 32 bits.
+std::string_view SpellWithLong32(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kLong:
+      return "int";
+    case Scalar::kUnsignedLong:
+      return "unsigned";
+    default:
+      return SpellScalar(scalar);
+  }
+}
+
 /// Empty for an unknown word.
 std::string Write(const InterfaceForm& form, std::string_view what) {
+  constexpr std::string_view kLong32 = "long32-";
+  if (what.starts_with(kLong32)) {
+    InterfaceForm narrow = form;
+    narrow.spell = SpellWithLong32;
+    return Write(narrow, what.substr(kLong32.size()));
+  }
   if (what == "header") return Header(form);
   if (what == "module-header") return ModuleHeader(form);
   if (what == "entry-points") return EntryPoints(form, false);

@@ -58,6 +58,9 @@ struct InterfaceForm {
   std::string_view wide_prefix = {};
   /// The module whose header includes the main one.
   const HeaderModule* module = nullptr;
+
+  /// The spelling of scalar types: that of the compiler's `long`, unless the generator changes it.
+  std::string_view (*spell)(Scalar scalar) = SpellScalar;
 };
 
 /// Those of the families that a generator knows, defined beside its list of families.

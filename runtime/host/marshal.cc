@@ -28,6 +28,19 @@ void WriteElement(void* host, size_t index, double value) {
   static_cast<T*>(host)[index] = FromCell<T>(value);
 }
 
+/// An element of a host's array of long, or of unsigned long as the same bits.
+int64_t ReadLong(const void* host, size_t index) {
+  if (LongSize() == sizeof(int32_t)) return static_cast<const int32_t*>(host)[index];
+  return static_cast<const long*>(host)[index];
+}
+
+/// Writes it; `Long` is the compiler's type, `Narrow` the one with 32 bits.
+template <typename Long, typename Narrow>
+void WriteLong(void* host, size_t index, double value) {
+  if (LongSize() == sizeof(Narrow)) return WriteElement<Narrow>(host, index, value);
+  WriteElement<Long>(host, index, value);
+}
+
 /// One element of a host's array of scalars; empty for a long that does not fit 32 bits.
 std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
   switch (type) {
@@ -42,9 +55,9 @@ std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
     case Scalar::kInt:
       return ReadElement<int>(host, index);
     case Scalar::kLong:
-      return NarrowLong(static_cast<const long*>(host)[index], false);
+      return NarrowLong(ReadLong(host, index), false);
     case Scalar::kUnsignedLong:
-      return NarrowLong(static_cast<int64_t>(static_cast<const unsigned long*>(host)[index]), true);
+      return NarrowLong(ReadLong(host, index), true);
     case Scalar::kDouble:
       break;
   }
@@ -64,9 +77,9 @@ void WriteScalar(Scalar type, void* host, size_t index, double value) {
     case Scalar::kInt:
       return WriteElement<int>(host, index, value);
     case Scalar::kLong:
-      return WriteElement<long>(host, index, value);
+      return WriteLong<long, int32_t>(host, index, value);
     case Scalar::kUnsignedLong:
-      return WriteElement<unsigned long>(host, index, value);
+      return WriteLong<unsigned long, uint32_t>(host, index, value);
     case Scalar::kDouble:
       break;
   }

@@ -25,10 +25,11 @@ namespace {
 constexpr long long kCalendarBeginNs = 1'767'225'600 * kSecondNs;  // 2026-01-01 00:00:00 UTC
 constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
 
-/// The host libraries of the families, by the names that they give themselves: whichever link leads
-/// to one, it is found.
+/// The host libraries of the families, and those for declarations that were written for Windows, by
+/// the names that they give themselves: whichever link leads to one, it is found.
 constexpr const char* kHostLibraries[] = {
-#define FAMILY(name, Name) "lib" #name ".so." ONCARD_SOVERSION,
+#define FAMILY(name, Name) \
+  "lib" #name ".so." ONCARD_SOVERSION, "lib" #name "_long32.so." ONCARD_SOVERSION,
 #include "gtcalls/families.def"
 };
 
