@@ -1,7 +1,5 @@
 #include "tools/project_session.h"
 
-#include <string>
-
 #include "base/files.h"
 #include "base/limits.h"
 #include "explore/source_comments.h"
@@ -9,16 +7,12 @@
 #include "session/recorded_host.h"
 
 namespace oncard::tools {
-namespace {
 
-/// Reads the files that a request does not bring: sources, scenarios, recordings, objects.
 Result<std::string> ReadProjectFile(const std::string& path) {
   if (path.ends_with(runtime::kCallRecordEnding)) return ReadFile(path);
   const bool large = path.ends_with(".schedule") || path.ends_with(".bin");
   return ReadFile(path, large ? kScheduleKind : kSourceKind);
 }
-
-}  // namespace
 
 session::SessionHost NewProjectSession() {
   return session::SessionHost(ReadProjectFile, explore::AddComments, session::OpenRecordedHost);
