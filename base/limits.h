@@ -42,4 +42,7 @@ inline constexpr size_t kTomlDepthMax = 32;
 inline constexpr size_t kTomlKeyPartMax = 32;
 inline constexpr size_t kTomlKeyMax = 100'000;
 
+/// Nested elements of an ENI file. Those of configuration tools have some ten.
+inline constexpr size_t kXmlDepthMax = 64;
+
 }  // namespace oncard

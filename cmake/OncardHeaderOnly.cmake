@@ -16,7 +16,7 @@ if(ONCARD_WINDOWS)
   set(folder ${PROJECT_BINARY_DIR}/libraries)
   file(MAKE_DIRECTORY ${folder})
   foreach(header IN ITEMS CLI/CLI.hpp fast_float/fast_float.h fmt/core.h nlohmann/json.hpp
-      toml++/toml.h xxhash.h)
+      rapidxml/rapidxml.hpp toml++/toml.h xxhash.h)
     string(MAKE_C_IDENTIFIER ${header} name)
     find_path(ONCARD_${name} ${header} PATHS /usr/include NO_DEFAULT_PATH REQUIRED)
     string(REGEX REPLACE "/.*" "" entry ${header})

@@ -1,7 +1,6 @@
-// Writes ENI files.
+// Writes ENI files. What they contain are numbers and words of ours, so nothing is escaped.
 #include <fmt/format.h>
 
-#include <pugixml.hpp>
 #include <string>
 
 #include "runtime/host/eni_file.h"
@@ -22,75 +21,86 @@ constexpr int kInputManager = 3;
 /// Fixed addresses begin here (ETG.2100).
 constexpr int kFirstAddress = 1001;
 
-template <typename Value>
-void AddValue(pugi::xml_node parent, const char* element, const Value& value) {
-  parent.append_child(element).text() = value;
-}
+/// A text of elements, each in a line, indented by its depth.
+class ElementText {
+ public:
+  /// Begins an element with an attribute, if one is given, as in `Sm="2"`.
+  void Begin(std::string_view name, const std::string& attribute = {}) {
+    Line(fmt::format("<{}{}{}>", name, attribute.empty() ? "" : " ", attribute));
+    ++depth_;
+  }
+  void End(std::string_view name) {
+    --depth_;
+    Line(fmt::format("</{}>", name));
+  }
+  template <typename Value>
+  void Add(std::string_view name, const Value& value) {
+    Line(fmt::format("<{0}>{1}</{0}>", name, value));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void Line(const std::string& line) { text_ += std::string(2 * depth_, ' ') + line + '\n'; }
+
+  std::string text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  size_t depth_ = 0;
+};
 
 /// An index as ENI files write it: `#x6040`.
-void AddIndex(pugi::xml_node parent, int index) {
-  AddValue(parent, "Index", fmt::format("#x{:04X}", index).c_str());
-}
+void AddIndex(ElementText& text, int index) { text.Add("Index", fmt::format("#x{:04X}", index)); }
 
-void AddImage(pugi::xml_node data, const char* element, size_t first_byte, size_t bytes) {
+void AddImage(ElementText& text, std::string_view element, size_t first_byte, size_t bytes) {
   if (bytes == 0) return;
-  pugi::xml_node image = data.append_child(element);
-  AddValue(image, "BitStart", static_cast<unsigned>(8 * first_byte));
-  AddValue(image, "BitLength", static_cast<unsigned>(8 * bytes));
+  text.Begin(element);
+  text.Add("BitStart", 8 * first_byte);
+  text.Add("BitLength", 8 * bytes);
+  text.End(element);
 }
 
-void AddPdo(pugi::xml_node data, const char* element, int index, int manager,
+void AddPdo(ElementText& text, std::string_view element, int index, int manager,
             const std::vector<PdoEntry>& entries) {
   if (entries.empty()) return;
-  pugi::xml_node pdo = data.append_child(element);
-  pdo.append_attribute("Sm") = manager;
-  AddIndex(pdo, index);
+  text.Begin(element, fmt::format("Sm=\"{}\"", manager));
+  AddIndex(text, index);
   for (const PdoEntry& entry : entries) {
-    pugi::xml_node child = pdo.append_child("Entry");
-    AddIndex(child, entry.index);
-    if (entry.index != 0) AddValue(child, "SubIndex", static_cast<unsigned>(entry.subindex));
-    AddValue(child, "BitLen", static_cast<unsigned>(entry.bits));
+    text.Begin("Entry");
+    AddIndex(text, entry.index);
+    if (entry.index != 0) text.Add("SubIndex", entry.subindex);
+    text.Add("BitLen", entry.bits);
+    text.End("Entry");
   }
+  text.End(element);
 }
 
-void AddSlave(pugi::xml_node config, const Slave& slave, size_t number, const SlavePlace& place) {
-  pugi::xml_node element = config.append_child("Slave");
-  pugi::xml_node info = element.append_child("Info");
+void AddSlave(ElementText& text, const Slave& slave, size_t number, const SlavePlace& place) {
+  text.Begin("Slave");
+  text.Begin("Info");
   const std::string_view kind = motion::bus::kSlaveKindNames[static_cast<size_t>(slave.kind)];
-  AddValue(info, "Name", fmt::format("{} {}", kind, number).c_str());
-  AddValue(info, "PhysAddr", kFirstAddress + static_cast<int>(number));
-  AddValue(info, "VendorId", slave.vendor);
-  AddValue(info, "ProductCode", slave.product);
-  pugi::xml_node data = element.append_child("ProcessData");
-  AddImage(data, "Send", place.outputs, place.output_bytes);
-  AddImage(data, "Recv", place.inputs, place.input_bytes);
-  AddPdo(data, "RxPdo", kRxPdo, kOutputManager, slave.outputs);
-  AddPdo(data, "TxPdo", kTxPdo, kInputManager, slave.inputs);
+  text.Add("Name", fmt::format("{} {}", kind, number));
+  text.Add("PhysAddr", kFirstAddress + static_cast<int>(number));
+  text.Add("VendorId", slave.vendor);
+  text.Add("ProductCode", slave.product);
+  text.End("Info");
+  text.Begin("ProcessData");
+  AddImage(text, "Send", place.outputs, place.output_bytes);
+  AddImage(text, "Recv", place.inputs, place.input_bytes);
+  AddPdo(text, "RxPdo", kRxPdo, kOutputManager, slave.outputs);
+  AddPdo(text, "TxPdo", kTxPdo, kInputManager, slave.inputs);
+  text.End("ProcessData");
+  text.End("Slave");
 }
-
-class TextWriter final : public pugi::xml_writer {
- public:
-  void write(const void* data, size_t size) override {
-    text.append(static_cast<const char*>(data), size);
-  }
-  std::string text;
-};
 
 }  // namespace
 
 std::string FormatEni(const Slaves& slaves) {
-  pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  pugi::xml_node root = document.append_child("EtherCATConfig");
-  root.append_attribute("Version") = "1.3";
-  pugi::xml_node config = root.append_child("Config");
+  ElementText text;
+  text.Begin("EtherCATConfig", "Version=\"1.3\"");
+  text.Begin("Config");
   const std::vector<SlavePlace> places = PlacesOf(slaves);
-  for (size_t i = 0; i < slaves.size(); ++i) AddSlave(config, slaves[i], i, places[i]);
-  TextWriter writer;
-  document.save(writer, "  ");
-  return std::move(writer.text);
+  for (size_t i = 0; i < slaves.size(); ++i) AddSlave(text, slaves[i], i, places[i]);
+  text.End("Config");
+  text.End("EtherCATConfig");
+  return text.text();
 }
 
 }  // namespace oncard::runtime
