@@ -1,6 +1,6 @@
 # oncard_family(name EXPORTS pattern ... SOURCES file ...
 #               [HEADER file ...] [MODULE_HEADER file] [OTHER_HEADERS file ...]
-#               [MULTI_CARD] [BASIC_LAYOUTS] [INTERRUPTS]
+#               [MULTI_CARD] [BASIC_LAYOUTS] [INTERRUPTS] [CSHARP name]
 #               [GENERATOR target] [INCLUDE_DIR folder] [LONG32_OF family]):
 # all that a family of cards needs beside its catalogue and functions. Makes the targets
 #
@@ -13,7 +13,8 @@
 # HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD
 # and BASIC_LAYOUTS are the parts that its InterfaceForm (gtcalls/interface_form.h) may have;
 # OTHER_HEADERS are copied. INTERRUPTS: its cards interrupt their host, for which the library has
-# events and handlers. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
+# events and handlers. CSHARP: declarations for C# in <name>.cs, those with a card number in
+# <name>Multi.cs. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
 # both are those of the project. LONG32_OF makes another library of a family, for declarations that
 # were written for Windows: a `long` has 32 bits in it.
 
@@ -24,7 +25,7 @@ set(ONCARD_SOVERSION 1)
 
 function(oncard_family name)
   cmake_parse_arguments(ARG "MULTI_CARD;BASIC_LAYOUTS;INTERRUPTS"
-    "GENERATOR;INCLUDE_DIR;LONG32_OF;MODULE_HEADER" "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
+    "CSHARP;GENERATOR;INCLUDE_DIR;LONG32_OF;MODULE_HEADER" "EXPORTS;HEADER;OTHER_HEADERS;SOURCES" ${ARGN})
   if(NOT ARG_GENERATOR)
     set(ARG_GENERATOR generate_interface)
   endif()
@@ -51,6 +52,15 @@ function(oncard_family name)
     list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
     oncard_interface_file(${family} ${ARG_GENERATOR} ${form}module-header
       ${ARG_INCLUDE_DIR}/${ARG_MODULE_HEADER})
+  endif()
+  if(ARG_CSHARP)
+    list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_CSHARP}.cs)
+    oncard_interface_file(${family} ${ARG_GENERATOR} csharp ${ARG_INCLUDE_DIR}/${ARG_CSHARP}.cs)
+    if(ARG_MULTI_CARD)
+      list(APPEND headers ${ARG_INCLUDE_DIR}/${ARG_CSHARP}Multi.cs)
+      oncard_interface_file(${family} ${ARG_GENERATOR} multi-csharp
+        ${ARG_INCLUDE_DIR}/${ARG_CSHARP}Multi.cs)
+    endif()
   endif()
   set(generated ${headers})
   foreach(header IN LISTS ARG_OTHER_HEADERS)

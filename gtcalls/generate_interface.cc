@@ -6,6 +6,8 @@
 //   generate_interface FAMILY multi-entry-points FILE   the same with a card number
 //   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
 //   generate_interface FAMILY structures FILE           structures of the header as cells and back
+//   generate_interface FAMILY csharp FILE               its declarations for C#
+//   generate_interface FAMILY multi-csharp FILE         the same with a card number
 //   generate_interface FAMILY markdown FILE             its page in docs/, of which each form has
 //   the head
 //
@@ -36,6 +38,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "gtcalls/csharp_declarations.h"
 #include "gtcalls/interface_form.h"
 #include "gtcalls/interface_parts.h"
 
@@ -63,28 +66,6 @@ std::string Names(const Command& command) {
   return text;
 }
 
-/// What the documentation says about a parameter: unit, range, NULL.
-std::string Describe(const Parameter& parameter, const Command& command) {
-  std::string text(SpellUnit(parameter.unit));
-  const auto add = [&text](const std::string& part) {
-    if (part.empty()) return;
-    if (!text.empty()) text += ", ";
-    text += part;
-  };
-  add(SpellRange(parameter));
-  if (parameter.count_parameter >= 0) {
-    const auto count = static_cast<size_t>(parameter.count_parameter);
-    add(fmt::format("array of {}", command.parameters[count].name));
-  }
-  if (parameter.array_size > 1) add(fmt::format("array of {}", parameter.array_size));
-  if (parameter.per_dimension) add("one per axis of the coordinate system");
-  if (parameter.per_offset) add("one per offset of the list");
-  if (parameter.per_axis) add("one per axis of the card");
-  if (parameter.passing == Passing::kLent) add("not used by the simulated card");
-  if (parameter.nullable) add("may be NULL");
-  return text;
-}
-
 // --- The header ---------------------------------------------------------------------------------
 
 void AppendMember(std::string* out, const InterfaceForm& form, const Member& member) {
@@ -107,35 +88,25 @@ void AppendComment(std::string* out, const Command& command) {
 void AppendPrototype(std::string* out, const InterfaceForm& form, const Command& command) {
   const std::string_view prefix = form.macro_prefix;
   const bool multi_card = !form.multi_card_prefix.empty();
-  std::string line = fmt::format("{} {}(", ApiOf(form, command), command.name);
+  const std::string line = fmt::format("{} {}(", ApiOf(form, command), command.name);
   const std::span<const Parameter> parameters = ArgumentsOf(command);
   if (parameters.empty()) {
     *out += line + (multi_card ? fmt::format("{}CARD_ONLY_", prefix) : "void") + ");\n";
     return;
   }
-  if (multi_card) Append(&line, "{}CARD_ ", prefix);
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    const Parameter& parameter = parameters[i];
+  std::vector<std::string> words;
+  for (const Parameter& parameter : parameters) {
     std::string word = DeclareParameter(parameter, form.spell);
     if (!parameter.default_text.empty()) {
       Append(&word, " {}DEFAULT_({})", prefix, parameter.default_text);
     }
-    if (i + 1 < parameters.size()) {
-      word += ",";
-    } else {
-      word += HasBasic(form, command)
-                  ? fmt::format(") {}WIDE_({});", prefix, WideName(form, command))
-                  : ");";
-    }
-    if (line.size() + word.size() > 100) {
-      line.pop_back();
-      *out += line + "\n";
-      line = "    ";
-    }
-    line += word + " ";
+    words.push_back(word + ",");
   }
-  line.pop_back();
-  *out += line + "\n";
+  words.back().back() = ')';
+  if (HasBasic(form, command))
+    Append(&words.back(), " {}WIDE_({})", prefix, WideName(form, command));
+  words.back() += ';';
+  AppendWrapped(out, multi_card ? fmt::format("{}{}CARD_ ", line, prefix) : line, words, "    ");
 }
 
 bool IsOfModule(const InterfaceForm& form, const Structure& structure) {
@@ -608,6 +579,8 @@ std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "multi-entry-points") return EntryPoints(form, true);
   if (what == "basic-entry-points") return BasicEntryPoints(form);
   if (what == "structures") return StructureConversions(form);
+  if (what == "csharp") return CsharpDeclarations(form, false);
+  if (what == "multi-csharp") return CsharpDeclarations(form, true);
   if (what == "markdown") return Markdown(form);
   return {};
 }

@@ -58,6 +58,9 @@ struct InterfaceForm {
   std::string_view wide_prefix = {};
   /// The module whose header includes the main one.
   const HeaderModule* module = nullptr;
+  /// Types of the declarations for C# that are no structures of the catalogue, as they are written
+  /// inside of the class.
+  std::string_view csharp_types = {};
 
   /// The spelling of scalar types: that of the compiler's `long`, unless the generator changes it.
   std::string_view (*spell)(Scalar scalar) = SpellScalar;

@@ -43,4 +43,40 @@ std::span<const Parameter> ArgumentsOf(const Command& command) {
                                   (ResultOf(command) != nullptr ? 1 : 0));
 }
 
+std::string Describe(const Parameter& parameter, const Command& command) {
+  std::string text(SpellUnit(parameter.unit));
+  const auto add = [&text](const std::string& part) {
+    if (part.empty()) return;
+    if (!text.empty()) text += ", ";
+    text += part;
+  };
+  add(SpellRange(parameter));
+  if (parameter.count_parameter >= 0) {
+    const auto count = static_cast<size_t>(parameter.count_parameter);
+    add(fmt::format("array of {}", command.parameters[count].name));
+  }
+  if (parameter.array_size > 1) add(fmt::format("array of {}", parameter.array_size));
+  if (parameter.per_dimension) add("one per axis of the coordinate system");
+  if (parameter.per_offset) add("one per offset of the list");
+  if (parameter.per_axis) add("one per axis of the card");
+  if (parameter.passing == Passing::kLent) add("not used by the simulated card");
+  if (parameter.nullable) add("may be NULL");
+  return text;
+}
+
+void AppendWrapped(std::string* out, std::string line, std::span<const std::string> words,
+                   std::string_view indent) {
+  constexpr size_t kWidth = 100;
+  for (const std::string& word : words) {
+    if (line.size() + word.size() > kWidth) {
+      line.pop_back();
+      *out += line + "\n";
+      line = indent;
+    }
+    line += word + " ";
+  }
+  line.pop_back();
+  *out += line + "\n";
+}
+
 }  // namespace oncard::gtcalls

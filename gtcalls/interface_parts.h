@@ -39,4 +39,12 @@ const Parameter* ResultOf(const Command& command);
 /// The parameters of its function in C.
 std::span<const Parameter> ArgumentsOf(const Command& command);
 
+/// What the documentation says about a parameter: unit, range, NULL.
+std::string Describe(const Parameter& parameter, const Command& command);
+
+/// Appends `line` with these words after it, with a blank between two of them. A line ends before a
+/// word that would make it longer than 100 characters; the next one begins with `indent`.
+void AppendWrapped(std::string* out, std::string line, std::span<const std::string> words,
+                   std::string_view indent);
+
 }  // namespace oncard::gtcalls

@@ -132,6 +132,25 @@ constexpr TopicLine kTopics[] = {
 #include "gtcalls/gts/catalogue.def"
 };
 
+/// What the headers declare before their structures.
+constexpr std::string_view kCsharpTypes = R"(
+        // The error of TThreadSts from 100 on is a fault of the motion program.
+        public const short GTS_FAULT_DIVISION_BY_ZERO = 100;
+        public const short GTS_FAULT_INDEX_OUT_OF_BOUNDS = 101;
+        public const short GTS_FAULT_OUTPUT_BEYOND_STORAGE = 102;
+
+        public const short AXIS_LIMIT_NONE = 0;
+        public const short AXIS_LIMIT_MAX_VEL = 1;
+        public const short AXIS_LIMIT_MAX_ACC = 2;
+        public const short AXIS_LIMIT_MAX_DV = 4;
+
+        public enum EMachineMode { NORMAL_THREE_AXIS, MULTI_AXES, FIVE_AXIS, FIVE_AXIS_WORK }
+
+        public enum EVelSettingDef { NORMAL_DEF_VEL, NUM_DEF_VEL, CUT_DEF_VEL }
+
+        public enum EWorkLimitMode { WORK_LIMIT_INVALID, WORK_LIMIT_VALID }
+)";
+
 }  // namespace
 
 const InterfaceForm& GtsInterfaceForm() {
@@ -148,7 +167,8 @@ const InterfaceForm& GtsInterfaceForm() {
                                       .multi_card_prefix = "GTM_",
                                       .basic_layouts = kBasicLayouts,
                                       .wide_prefix = "GTX_",
-                                      .module = &kLookAhead};
+                                      .module = &kLookAhead,
+                                      .csharp_types = kCsharpTypes};
   return kForm;
 }
 
