@@ -48,7 +48,7 @@ TEST_P(TranslationTest, AndOriginalLeadToEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest,
                          testing::Values("README", "docs/from-ge", "docs/from-gt400",
-                                         "docs/language", "docs/structured",
+                                         "docs/install", "docs/language", "docs/structured",
                                          "docs/tutorials/1-first-program",
                                          "docs/tutorials/2-first-axis", "docs/tutorials/3-threads",
                                          "docs/tutorials/4-explore", "docs/tutorials/5-rewind",
