@@ -1,0 +1,58 @@
+"""The package as it is handed out: its types, programs and errors."""
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+import oncard
+
+PACKAGE = Path(oncard.__file__).parent
+
+
+def stubs(tree, path=""):
+    """The names in a stub, functions with the names of their arguments."""
+    for item in tree.body:
+        if isinstance(item, ast.FunctionDef):
+            yield path + item.name, [argument.arg for argument in item.args.args]
+        elif isinstance(item, ast.ClassDef):
+            yield path + item.name, None
+            yield from stubs(item, f"{path}{item.name}.")
+        elif isinstance(item, ast.AnnAssign):
+            yield path + item.target.id, None
+
+
+def names(things, path=""):
+    """The same of a module of pybind11, whose functions say what they take in their first line."""
+    for name, thing in vars(things).items():
+        if name.startswith("_"):
+            continue
+        if callable(thing) and not isinstance(thing, type):
+            yield path + name, re.findall(r"(\w+): ", thing.__doc__.split(" -> ")[0])
+        else:
+            yield path + name, None
+        if isinstance(thing, type):
+            yield from names(thing, f"{path}{name}.")
+
+
+def test_the_stub_has_what_the_module_has():
+    stub = ast.parse((PACKAGE / "_oncard.pyi").read_text(encoding="utf-8"))
+    assert dict(stubs(stub)) == dict(names(oncard._oncard))
+
+
+def test_errors_are_in_both_languages():
+    with pytest.raises(oncard.Error, match="cannot open 'none.c'") as caught:
+        oncard._oncard.run(b"none.c", {}, False, [], False, [], False, [])
+    oncard.set_language("zh")
+    assert str(caught.value) == caught.value.message_zh != caught.value.message_en
+
+
+def test_a_program_is_compiled_and_run():
+    files = {b"a.c": b"int sum;\nint main()\n{\n  sum = 3;\n}\n"}
+    result = oncard._oncard.run(b"a.c", files, False, [], False, [], False, []).json(False)
+    assert json.loads(result)["values"] == {"sum": 3}
+    with pytest.raises(oncard.CompileError) as caught:
+        oncard._oncard.compile(b"a.c", {b"a.c": b"int main()\n{\n  x = 1;\n}\n"}, False)
+    assert [mistake.code for mistake in caught.value.diagnostics] == ["MP027"]
