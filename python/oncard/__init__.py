@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from . import _oncard
+try:
+    from . import _oncard
+except ImportError as error:
+    from .wrong_python import explain
+
+    raise ImportError(explain(error)) from error
+
 from .errors import CompileError, Diagnostic, Error, UnknownName, set_language
 
 __version__ = _oncard.version

@@ -1,8 +1,12 @@
-"""The package as it is handed out: its types, programs and errors."""
+"""The package as it is handed out: its types, and another Python than its own."""
 
 import ast
 import json
+import os
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -10,6 +14,17 @@ import pytest
 import oncard
 
 PACKAGE = Path(oncard.__file__).parent
+
+
+def python(*arguments, path, **options):
+    """Another process of this Python, with packages from `path`."""
+    return subprocess.run(
+        [sys.executable, *arguments],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(path)},
+        **options,
+    )
 
 
 def stubs(tree, path=""):
@@ -40,6 +55,30 @@ def names(things, path=""):
 def test_the_stub_has_what_the_module_has():
     stub = ast.parse((PACKAGE / "_oncard.pyi").read_text(encoding="utf-8"))
     assert dict(stubs(stub)) == dict(names(oncard._oncard))
+
+
+@pytest.fixture
+def copy(tmp_path):
+    """A copy of the package; its module."""
+    shutil.copytree(PACKAGE, tmp_path / "oncard")
+    return next((tmp_path / "oncard").glob("_oncard.*.so"))
+
+
+def test_a_module_for_another_python_is_explained(copy):
+    copy.rename(copy.with_name("_oncard.cpython-39-x86_64-linux-gnu.so"))
+    done = python("-c", "import oncard", path=copy.parents[1])
+    assert done.returncode != 0
+    assert f"built for cpython-39-x86_64-linux-gnu, but {sys.executable} is cpython-" in done.stderr
+    assert "./x python" in done.stderr and "构建" in done.stderr
+
+
+def test_a_missing_or_broken_module_is_explained(copy):
+    copy.write_bytes(b"no module")
+    done = python("-c", "import oncard", path=copy.parents[1])
+    assert "the module of oncard cannot be loaded" in done.stderr
+    copy.unlink()
+    done = python("-c", "import oncard", path=copy.parents[1])
+    assert "./x python builds it" in done.stderr
 
 
 def test_errors_are_in_both_languages():
