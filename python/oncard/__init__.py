@@ -10,6 +10,7 @@ except ImportError as error:
     raise ImportError(explain(error)) from error
 
 from .errors import CompileError, Diagnostic, Error, UnknownName, set_language
+from .expressions import Expression, var
 
 __version__ = _oncard.version
 
@@ -17,6 +18,8 @@ __all__ = [
     "CompileError",
     "Diagnostic",
     "Error",
+    "Expression",
     "UnknownName",
     "set_language",
+    "var",
 ]
