@@ -1,4 +1,8 @@
-"""Motion programs for Googol GTS motion controllers without the card."""
+"""Motion programs for Googol GTS motion controllers without the card.
+
+    run = oncard.run("trap.toml", trace=True)
+    run.passed, run.trace["axis1.prfPos"]
+"""
 
 from __future__ import annotations
 
@@ -11,6 +15,7 @@ except ImportError as error:
 
 from .errors import CompileError, Diagnostic, Error, UnknownName, set_language
 from .expressions import Expression, var
+from .runs import Failure, Program, Run, Trace, compile, run
 
 __version__ = _oncard.version
 
@@ -19,7 +24,13 @@ __all__ = [
     "Diagnostic",
     "Error",
     "Expression",
+    "Failure",
+    "Program",
+    "Run",
+    "Trace",
     "UnknownName",
+    "compile",
+    "run",
     "set_language",
     "var",
 ]

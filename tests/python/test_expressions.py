@@ -32,6 +32,17 @@ def test_is_the_text_of_a_condition(expression, text):
     assert str(expression) == text
 
 
+def test_means_what_python_means():
+    files = {"p.c": "int a;\nint b;\nint main()\n{\n  a = 3;\n  b = -4;\n}\n"}
+    a, b = var("a"), var("b")
+    true = [a - b == 7, a + b * 2 == -5, ~(a < b) & (a > 0), (a < b) | (b < 0), -(a + b) == 1]
+    run = oncard.run({"program": "p.c", "expect": true}, files=files)
+    assert run.failures == []
+    false = [~condition for condition in true]
+    run = oncard.run({"program": "p.c", "expect": false}, files=files)
+    assert [failure.expectation for failure in run.failures] == [str(each) for each in false]
+
+
 @pytest.mark.parametrize(
     "make, message",
     [
