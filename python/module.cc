@@ -8,6 +8,7 @@
 #include <atomic>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "python/await.h"
 #include "python/runs.h"
+#include "python/searches.h"
 #include "python/sources.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/run/result_json.h"
@@ -171,6 +173,54 @@ py::bytes PictureOf(const RunOutcome& outcome, const std::string& path) {
   return py::bytes(Checked(runtime::PictureScript(*outcome.result->trace, path, outcome.title)));
 }
 
+// --- Explorations --------------------------------------------------------------------------------
+
+SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool structured,
+                             const std::vector<std::pair<std::string, std::string>>& requirements,
+                             const std::string& engine, const std::string& races,
+                             const std::map<std::string, std::optional<int64_t>>& numbers,
+                             bool merge_private, bool all, const std::vector<std::string>& silent,
+                             double seconds, int64_t memory_mib) {
+  const Source source = {main, files, structured};
+  SearchWish wish;
+  for (const auto& [scope, text] : requirements) {
+    wish.requirements.push_back({*runtime::ScopeNamed(scope), text});
+  }
+  wish.engine = engine;
+  wish.races = races;
+  wish.max_executions = numbers.at("max_executions");
+  wish.max_states = numbers.at("max_states");
+  wish.runs = numbers.at("runs");
+  wish.seed = numbers.at("seed");
+  wish.depth = numbers.at("depth");
+  wish.preemptions = numbers.at("preemptions");
+  wish.merge_private = merge_private;
+  wish.all = all;
+  wish.silent = silent;
+  explore::SearchProgress progress;
+  SearchLimits limits(seconds, memory_mib, &progress);
+  const auto stop = [&progress] {
+    progress.interrupted = true;
+    progress.hurried = true;
+    progress.stop = true;
+  };
+  SearchOutcome outcome = Checked(
+      Await([&] { return Explore(source, wish, &progress); }, stop, [&limits] { limits.Look(); }));
+  if (!outcome.findings) RaiseMistakes(outcome.compilation);
+  return outcome;
+}
+
+py::list WarningsOf(const SearchOutcome& outcome, bool chinese) {
+  py::list texts;
+  for (const Message& warning : outcome.warnings) {
+    texts.append(TextOf(warning.In(LanguageOf(chinese))));
+  }
+  for (const Message& untested : outcome.findings->untested) {
+    texts.append(TextOf(untested.In(LanguageOf(chinese))));
+  }
+  return texts;
+}
+
 }  // namespace
 
 // The macro defines the functions that Python looks for.
@@ -199,6 +249,30 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
   module.def("run", &RunProgram, py::arg("main"), py::arg("files"), py::arg("structured"),
              py::arg("show"), py::arg("trace"), py::arg("columns"), py::arg("strict_commands"),
              py::arg("silent"));
+
+  py::class_<SearchOutcome>(module, "Exploration")
+      .def("json",
+           [](const SearchOutcome& outcome) {
+             return TextOf(explore::JsonReport(*outcome.findings));
+           })
+      .def(
+          "text",
+          [](const SearchOutcome& outcome, bool chinese, bool full) {
+            return TextOf(explore::TextReport(*outcome.findings, LanguageOf(chinese), {full}));
+          },
+          py::arg("chinese"), py::arg("full"))
+      .def(
+          "html",
+          [](const SearchOutcome& outcome, bool chinese) {
+            return TextOf(explore::HtmlReport(*outcome.findings, LanguageOf(chinese)));
+          },
+          py::arg("chinese"))
+      .def("warnings", &WarningsOf, py::arg("chinese"))
+      .def("schedule", [](const SearchOutcome& outcome) { return TextOf(outcome.schedule); });
+  module.def("explore", &ExploreProgram, py::arg("main"), py::arg("files"), py::arg("structured"),
+             py::arg("requirements"), py::arg("engine"), py::arg("races"), py::arg("numbers"),
+             py::arg("merge_private"), py::arg("all"), py::arg("silent"), py::arg("seconds"),
+             py::arg("memory_mib"));
 }
 
 }  // namespace oncard::python

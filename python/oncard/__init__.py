@@ -14,6 +14,7 @@ except ImportError as error:
     raise ImportError(explain(error)) from error
 
 from .errors import CompileError, Diagnostic, Error, UnknownName, set_language
+from .explorations import Exploration, explore
 from .expressions import Expression, var
 from .runs import Failure, Program, Run, Trace, compile, run
 
@@ -23,6 +24,7 @@ __all__ = [
     "CompileError",
     "Diagnostic",
     "Error",
+    "Exploration",
     "Expression",
     "Failure",
     "Program",
@@ -30,6 +32,7 @@ __all__ = [
     "Trace",
     "UnknownName",
     "compile",
+    "explore",
     "run",
     "set_language",
     "var",

@@ -110,8 +110,9 @@ def test_mistakes_of_a_program_are_diagnostics():
     assert (mistake.line, mistake.column) == (3, 3)
     assert str(mistake).startswith("a.c:3:3: error MP027: 'x' is not declared")
     assert "1 error" in str(caught.value)
-    with pytest.raises(oncard.CompileError):
-        oncard.run("a.c", files={"a.c": "int main()\n{\n  x = 1;\n}\n"})
+    for call in (oncard.run, oncard.explore):
+        with pytest.raises(oncard.CompileError):
+            call("a.c", files={"a.c": "int main()\n{\n  x = 1;\n}\n"})
     copy = pickle.loads(pickle.dumps(caught.value))
     assert copy.diagnostics == caught.value.diagnostics and str(copy) == str(caught.value)
 

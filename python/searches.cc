@@ -1,0 +1,214 @@
+#include "python/searches.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "explore/failure_files.h"
+#include "explore/scenario_exploration.h"
+#include "runtime/scenario/file/search_names.h"
+#include "tools/memory_use.h"
+#include "tools/program_warnings.h"
+
+namespace oncard::python {
+namespace {
+
+constexpr int64_t kMiB = int64_t{1} << 20;
+/// What has been found when the time is over is made simpler for so much of the limit at most.
+constexpr double kForSimplifying = 0.06;
+
+/// A setting with its range, which is that of the option of `oncard explore`.
+struct Setting {
+  std::string_view option;
+  const std::optional<int64_t>& value;
+  int64_t least;
+  int64_t most;
+};
+
+std::vector<Setting> SettingsOf(const SearchWish& wish) {
+  constexpr int64_t kMost = 1'000'000'000'000;
+  return {{"--max-executions", wish.max_executions, 1, kMost},
+          {"--max-states", wish.max_states, 1, UINT32_MAX - 1},
+          {"--runs", wish.runs, 1, kMost},
+          {"--seed", wish.seed, 0, INT64_MAX},
+          {"--depth", wish.depth, 1, explore::kPctDepthMax},
+          {"--preemptions", wish.preemptions, 0, 1000}};
+}
+
+/// `--max-states` as an argument of Python: `max_states`.
+std::string ArgumentName(std::string_view option) {
+  std::string name(option.substr(2));
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+/// One of the names, or empty.
+Result<void> CheckName(std::string_view argument, std::string_view name,
+                       std::span<const std::string_view> names) {
+  if (name.empty() || std::ranges::find(names, name) != names.end()) return {};
+  return MakeError(1, "'{0}' is no value of '{1}': use {2}", "“{0}”不是“{1}”的值：应使用 {2}", name,
+                   argument, fmt::join(names, ", "));
+}
+
+/// Ranges, and that the engine uses what is given.
+Result<void> CheckSettings(const SearchWish& wish, explore::EngineKind engine) {
+  const std::vector<Setting> settings = SettingsOf(wish);
+  for (const Setting& setting : settings) {
+    if (!setting.value || (*setting.value >= setting.least && *setting.value <= setting.most)) {
+      continue;
+    }
+    return MakeError(1, "'{0}' must be from {1} to {2}, not {3}",
+                     "“{0}”应为 {1} 到 {2}，而不是 {3}", ArgumentName(setting.option),
+                     setting.least, setting.most, *setting.value);
+  }
+  const std::string_view name = explore::EngineName(engine);
+  for (const runtime::SearchSetting& known : runtime::SearchSettings()) {
+    const auto found = std::ranges::find(settings, known.option, &Setting::option);
+    const bool given = found == settings.end() ? wish.merge_private : found->value.has_value();
+    if (!given || known.UsedBy(name)) continue;
+    return Error{1, runtime::DescribeUnusedSetting(known, ArgumentName(known.option), name)};
+  }
+  return {};
+}
+
+Result<explore::ExploreOptions> OptionsOf(const SearchWish& wish,
+                                          const runtime::ExploreWish& wished) {
+  explore::ExploreOptions options = explore::OptionsOf(wished);
+  if (!wish.engine.empty()) options.engine = *explore::EngineNamed(wish.engine);
+  if (auto checked = CheckSettings(wish, options.engine); !checked.ok()) return checked.error();
+  options.execution_limit = wish.max_executions.value_or(options.execution_limit);
+  options.state_limit = static_cast<uint32_t>(wish.max_states.value_or(options.state_limit));
+  options.runs = wish.runs.value_or(options.runs);
+  if (wish.seed) options.seed = static_cast<uint64_t>(*wish.seed);
+  options.depth = static_cast<int>(wish.depth.value_or(options.depth));
+  options.preemption_limit = static_cast<int>(wish.preemptions.value_or(options.preemption_limit));
+  options.merge_private = wish.merge_private;
+  options.all = wish.all;
+  return options;
+}
+
+/// What is explored, and what must hold.
+struct Question {
+  runtime::Scenario scenario;
+  std::vector<runtime::Requirement> requirements;
+};
+
+/// A program by itself says in its comments what must hold.
+Result<Question> QuestionOf(const Source& source, const SearchWish& wish,
+                            const session::Project& project, std::string_view text) {
+  Question question;
+  if (project.scenario.program == source.main) {
+    auto read = explore::ReadComments(source.main, text, *project.compilation.object);
+    if (!read.ok()) return read.error();
+    question = {std::move(read.value().scenario), std::move(read.value().requirements)};
+    question.scenario.structured = project.scenario.structured;
+  } else {
+    question = {project.scenario, runtime::RequirementsOf(project.scenario)};
+  }
+  if (!wish.races.empty()) {
+    question.scenario.races = wish.races;
+    question.scenario.text_places.erase("races");
+  }
+  question.requirements.insert(question.requirements.end(), wish.requirements.begin(),
+                               wish.requirements.end());
+  return question;
+}
+
+Result<explore::Findings> Search(const SearchWish& wish, const Question& question,
+                                 const vm::Object& object, std::string_view text,
+                                 const session::Files& files, explore::SearchProgress* progress) {
+  const runtime::ExploreWish wished = question.scenario.explore.value_or(runtime::ExploreWish{});
+  if (wish.engine.empty() && !wished.follow.empty()) {
+    const auto read = files.Read(runtime::PathFromScenario(question.scenario, wished.follow));
+    if (!read.ok()) return read.error();
+    const auto schedule = vm::ParseSchedule(read.value());
+    if (!schedule.ok()) return schedule.error();
+    return explore::FollowSchedule(question.scenario, question.requirements, object, text,
+                                   schedule.value());
+  }
+  auto options = OptionsOf(wish, wished);
+  if (!options.ok()) return options.error();
+  options.value().progress = progress;
+  return explore::ExploreScenario(question.scenario, question.requirements, object,
+                                  options.value());
+}
+
+/// `dir/lost.toml`: `dir/lost.schedule`.
+std::string ScheduleBeside(const std::string& path) {
+  const size_t folder = path.rfind('/') + 1;
+  const size_t ending = path.rfind('.');
+  const bool has_ending = ending != std::string::npos && ending > folder;
+  return path.substr(0, has_ending ? ending : path.size()) + ".schedule";
+}
+
+}  // namespace
+
+Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
+                              explore::SearchProgress* progress) {
+  const auto silent = WarningsNamed(wish.silent);
+  if (!silent.ok()) return silent.error();
+  for (const auto& checked : {CheckName("engine", wish.engine, runtime::kEngineNames),
+                              CheckName("races", wish.races, runtime::kRaceRuleNames)}) {
+    if (!checked.ok()) return checked.error();
+  }
+  const session::Files files = FilesOf(source);
+  auto project = ReadProject(source, files, runtime::ScenarioUse::kExplore);
+  if (!project.ok()) return project.error();
+  SearchOutcome outcome;
+  if (!project.value().compilation.ok()) {
+    outcome.compilation = std::move(project.value().compilation);
+    return outcome;
+  }
+  const vm::Object& object = *project.value().compilation.object;
+  explore::ProgramText text;
+  if (!project.value().compilation.files.empty()) {
+    text = explore::TextOf(project.value().compilation);
+  }
+  const auto question = QuestionOf(source, wish, project.value(), text.text);
+  if (!question.ok()) return question.error();
+  const runtime::Scenario& scenario = question.value().scenario;
+  auto found = Search(wish, question.value(), object, text.text, files, progress);
+  if (!found.ok()) return found.error();
+  explore::Findings& findings = found.value();
+  findings.source = std::move(text);
+  outcome.warnings =
+      tools::ProgramWarnings(findings, silent.value(), runtime::ProgramPath(scenario));
+  if (findings.exploration.failure) {
+    auto schedule = explore::FailureSchedule(
+        {scenario, question.value().requirements, object, findings.source.text}, findings,
+        ScheduleBeside(source.main));
+    if (!schedule.ok()) return schedule.error();
+    outcome.schedule = std::move(schedule).value();
+  }
+  outcome.findings = std::move(findings);
+  outcome.compilation = std::move(project.value().compilation);
+  return outcome;
+}
+
+SearchLimits::SearchLimits(double seconds, int64_t memory_mib, explore::SearchProgress* progress)
+    : seconds_(seconds),
+      memory_(memory_mib * kMiB),
+      progress_(progress),
+      start_(std::chrono::steady_clock::now()) {
+  if (memory_mib > 0) return;
+  const std::optional<int64_t> left = tools::MemoryLeft();
+  memory_ = left ? tools::MemoryInUse() + *left / 2 : INT64_MAX;
+}
+
+void SearchLimits::Look() {
+  const auto end = [this](std::atomic<bool>* why) {
+    *why = true;
+    progress_->interrupted = true;
+    progress_->stop = true;
+  };
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  if (seconds_ > 0 && passed.count() >= seconds_) {
+    if (!progress_->out_of_time) end(&progress_->out_of_time);
+    if (passed.count() >= seconds_ * (1 + kForSimplifying)) progress_->hurried = true;
+  }
+  if (!progress_->out_of_memory && tools::MemoryInUse() > memory_) end(&progress_->out_of_memory);
+}
+
+}  // namespace oncard::python

@@ -1,0 +1,61 @@
+// One exploration of a program or a scenario, for Python. Without Python itself. Safe to call from
+// several threads. Tested by tests/python/test_explore.py.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/engines/progress.h"
+#include "explore/reports/report.h"
+#include "python/sources.h"
+#include "runtime/scenario/file/requirement.h"
+
+namespace oncard::python {
+
+/// What is asked beyond the scenario; what is missing is as the scenario has it.
+struct SearchWish {
+  std::vector<runtime::Requirement> requirements;  ///< in addition to those of the scenario
+  std::string engine;                              ///< empty: as in the scenario
+  std::string races;                               ///< the same
+  std::optional<int64_t> max_executions;
+  std::optional<int64_t> max_states;
+  std::optional<int64_t> runs;
+  std::optional<int64_t> seed;
+  std::optional<int64_t> depth;
+  std::optional<int64_t> preemptions;
+  bool merge_private = false;
+  bool all = false;
+  std::vector<std::string> silent;  ///< names of warnings about the card
+};
+
+struct SearchOutcome {
+  compiler::Compilation compilation;
+  std::optional<explore::Findings> findings;  ///< if it was compiled
+  std::vector<Message> warnings;
+  std::string schedule;  ///< the text of a schedule file beside the input; empty: nothing failed
+};
+
+/// Searches the schedules, as `oncard explore` does. `progress` can end it early. Fails with
+/// everything that does not fit the program, and with settings that the engine cannot use.
+Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
+                              explore::SearchProgress* progress);
+
+/// Ends a search at its limits of time and memory. To be looked at from time to time.
+class SearchLimits {
+ public:
+  /// `seconds` 0: no limit; `memory_mib` 0: half of what is free.
+  SearchLimits(double seconds, int64_t memory_mib, explore::SearchProgress* progress);
+  void Look();
+
+ private:
+  double seconds_;
+  int64_t memory_;  ///< bytes that the process may occupy
+  explore::SearchProgress* progress_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace oncard::python

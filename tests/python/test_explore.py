@@ -1,0 +1,138 @@
+"""Explorations are those of the command `oncard explore`."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import SAMPLES, command
+from test_run import scenarios
+
+import oncard
+from oncard import var
+
+# Each of two threads adds 1, in two statements: an addition can be lost.
+COUNT = """int count;
+int t0() { int copy; copy = count; count = copy + 1; }
+int t1() { int copy; copy = count; count = copy + 1; }
+"""
+SCENARIO = {
+    "program": "count.c",
+    "thread": [{"thread": 0, "function": "t0"}, {"thread": 1, "function": "t1"}],
+}
+
+
+def explore(**arguments):
+    return oncard.explore(SCENARIO, files={"count.c": COUNT}, **arguments)
+
+
+@pytest.mark.parametrize("path", scenarios("explore"))
+def test_a_sample_has_the_verdict_of_the_command(samples, path):
+    exploration = oncard.explore(path)
+    assert exploration.verdict == command("explore", path)["verdict"]
+
+
+def test_requirements_are_texts_or_expressions(samples):
+    proof = oncard.explore("26_lost_update/lost.toml", final=["sum == 10"],
+                           always=[var("sum") < 100])
+    assert proof.verdict == "FAILED"
+    assert "always: sum < 100" in proof.text and "sum is 3, expected 10" in proof.text
+    assert explore(final="count >= 1").verdict == "PROVED"
+    assert explore(final=var("count") == 2).verdict == "FAILED"
+    assert explore(always=["count >= 0", var("count") <= 2], never="count == 3").verdict == "PROVED"
+    assert explore(eventually=var("count") == 2).verdict == "FAILED"
+    assert explore(races="none").verdict == "FAILED"
+
+
+def test_comments_are_requirements():
+    text = "//@ final: count == 2\n" + COUNT
+    assert oncard.explore("count.c", files={"count.c": text}).verdict == "FAILED"
+    program = oncard.compile("count.c", files={"count.c": text})
+    assert oncard.explore(program).verdict == "FAILED"
+
+
+def test_a_failing_schedule_can_be_run_and_driven():
+    proof = explore(final="count == 2")
+    files = {"lost.schedule": proof.schedule, "count.c": COUNT}
+    run = oncard.run("lost.schedule", files=files)
+    assert run.values == {"count": 1}
+    assert explore(final="count >= 1").schedule is None
+
+
+def test_reports_are_those_of_the_command(samples):
+    proof = oncard.explore("26_lost_update/lost.toml", engine="stateful")
+    assert proof.report == command("explore", "26_lost_update/lost.toml", "--engine=stateful")
+    assert len(proof.full_text) > len(proof.text)
+    assert proof._repr_html_().startswith("<iframe srcdoc=\"&lt;!DOCTYPE")
+    assert proof.html.startswith("<!DOCTYPE")
+    oncard.set_language("zh")
+    assert not proof.text.isascii() and proof.verdict == "FAILED"
+    assert proof.warnings == []
+
+
+def test_a_search_that_is_cut_is_incomplete():
+    assert explore(engine="dpor", max_executions=1, final="count >= 1").verdict == "INCOMPLETE"
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({"always": [lambda: True]}, "not a function of Python.*always=\\['sum < 100'\\]"),
+        ({"always": lambda: True}, "not a function of Python"),
+        ({"final": True}, "not True"),
+        ({"final": ["count =="]}, "'final: count =='"),
+        ({"final": ["cuont == 2"]}, "cuont"),
+        ({"engine": "fast"}, "use auto, dpor, stateful"),
+        ({"races": "all"}, "use any, benign, none"),
+        ({"runs": 5}, "'runs' has no effect with the engine auto"),
+        ({"engine": "pct", "depth": 0}, "'depth' must be from 1 to"),
+        ({"engine": "dpor", "merge_private": True}, "'merge_private' has no effect"),
+        ({"max_states": 1.5}, "'max_states' must be a whole number, not 1.5"),
+        ({"seconds": -1}, "'seconds' must be a number from 0"),
+        ({"memory_mib": -1}, "'memory_mib' must be a number from 0"),
+        ({"silent": "nix"}, "'nix' is no warning about the card"),
+    ],
+)
+def test_bad_arguments_are_errors(arguments, message):
+    with pytest.raises(oncard.Error, match=message) as caught:
+        explore(**arguments)
+    assert not caught.value.message_zh.isascii()
+
+
+# More schedules than any computer can try: three threads that count to a thousand.
+LONG = """int count;
+int count_up() {{ int i; int c; int copy;
+  i = 0;
+lbl: copy = count; count = copy + 1; i = i + 1;
+  c = i < 1000; if (c) goto lbl;
+}}
+"""
+LONG_SCENARIO = {
+    "program": "long.c",
+    "thread": [{"thread": i, "function": "count_up", "page": i} for i in range(3)],
+    "final": ["count >= 0"],
+}
+
+
+def test_limits_end_a_search():
+    for limit in ({"seconds": 0.3}, {"memory_mib": 1}):
+        proof = oncard.explore(LONG_SCENARIO, files={"long.c": LONG.format()}, **limit)
+        assert proof.verdict == "INCOMPLETE"
+
+
+def test_ctrl_c_ends_a_search():
+    script = f"""
+import os, signal, sys, threading
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+import oncard
+from test_explore import LONG, LONG_SCENARIO
+threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    oncard.explore(LONG_SCENARIO, files={{"long.c": LONG.format()}})
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "interrupted\n", done.stderr
