@@ -7,6 +7,8 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -23,6 +25,8 @@
 #include "python/sources.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/run/result_json.h"
+#include "session/host.h"
+#include "tools/project_session.h"
 #include "vm/object_writer.h"
 
 namespace oncard::python {
@@ -221,6 +225,26 @@ py::list WarningsOf(const SearchOutcome& outcome, bool chinese) {
   return texts;
 }
 
+// --- Sessions ------------------------------------------------------------------------------------
+
+/// A session of the protocol. The requests of several threads wait for each other.
+class SharedSession {
+ public:
+  py::str Handle(const std::string& request) {
+    std::string answer;
+    {
+      const py::gil_scoped_release unlocked;
+      const std::lock_guard lock(*mutex_);
+      answer = host_.Handle(request);
+    }
+    return TextOf(answer);
+  }
+
+ private:
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  session::SessionHost host_ = tools::NewProjectSession();
+};
+
 }  // namespace
 
 // The macro defines the functions that Python looks for.
@@ -273,6 +297,10 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
              py::arg("requirements"), py::arg("engine"), py::arg("races"), py::arg("numbers"),
              py::arg("merge_private"), py::arg("all"), py::arg("silent"), py::arg("seconds"),
              py::arg("memory_mib"));
+
+  py::class_<SharedSession>(module, "Session")
+      .def(py::init<>())
+      .def("handle", &SharedSession::Handle, py::arg("request"));
 }
 
 }  // namespace oncard::python

@@ -17,6 +17,7 @@ from .errors import CompileError, Diagnostic, Error, UnknownName, set_language
 from .explorations import Exploration, explore
 from .expressions import Expression, var
 from .runs import Failure, Program, Run, Trace, compile, run
+from .sessions import Session, Stop
 
 __version__ = _oncard.version
 
@@ -29,6 +30,8 @@ __all__ = [
     "Failure",
     "Program",
     "Run",
+    "Session",
+    "Stop",
     "Trace",
     "UnknownName",
     "compile",

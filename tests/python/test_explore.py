@@ -58,6 +58,9 @@ def test_a_failing_schedule_can_be_run_and_driven():
     files = {"lost.schedule": proof.schedule, "count.c": COUNT}
     run = oncard.run("lost.schedule", files=files)
     assert run.values == {"count": 1}
+    with oncard.Session("lost.schedule", files=files) as card:
+        assert card.forward().reason in ("end", "schedule-end")
+        assert card.value("count") == 1
     assert explore(final="count >= 1").schedule is None
 
 

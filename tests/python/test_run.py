@@ -110,7 +110,7 @@ def test_mistakes_of_a_program_are_diagnostics():
     assert (mistake.line, mistake.column) == (3, 3)
     assert str(mistake).startswith("a.c:3:3: error MP027: 'x' is not declared")
     assert "1 error" in str(caught.value)
-    for call in (oncard.run, oncard.explore):
+    for call in (oncard.run, oncard.explore, oncard.Session):
         with pytest.raises(oncard.CompileError):
             call("a.c", files={"a.c": "int main()\n{\n  x = 1;\n}\n"})
     copy = pickle.loads(pickle.dumps(caught.value))
