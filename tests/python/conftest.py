@@ -9,6 +9,8 @@ import pytest
 
 import oncard
 
+pytest_plugins = ["pytester"]
+
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "samples"
 
