@@ -1,7 +1,6 @@
 """The package as it is handed out: its types, and another Python than its own."""
 
 import ast
-import json
 import os
 import re
 import shutil
@@ -25,6 +24,15 @@ def python(*arguments, path, **options):
         env={**os.environ, "PYTHONPATH": str(path)},
         **options,
     )
+
+
+def test_types_are_right(tmp_path):
+    pytest.importorskip("mypy", reason="there is no mypy: apt-get install mypy")
+    checked = python(
+        "-m", "mypy", "--strict", "--ignore-missing-imports", f"--cache-dir={tmp_path}", PACKAGE,
+        path=PACKAGE.parent,
+    )
+    assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
 def stubs(tree, path=""):
@@ -79,19 +87,3 @@ def test_a_missing_or_broken_module_is_explained(copy):
     copy.unlink()
     done = python("-c", "import oncard", path=copy.parents[1])
     assert "./x python builds it" in done.stderr
-
-
-def test_errors_are_in_both_languages():
-    with pytest.raises(oncard.Error, match="cannot open 'none.c'") as caught:
-        oncard._oncard.run(b"none.c", {}, False, [], False, [], False, [])
-    oncard.set_language("zh")
-    assert str(caught.value) == caught.value.message_zh != caught.value.message_en
-
-
-def test_a_program_is_compiled_and_run():
-    files = {b"a.c": b"int sum;\nint main()\n{\n  sum = 3;\n}\n"}
-    result = oncard._oncard.run(b"a.c", files, False, [], False, [], False, []).json(False)
-    assert json.loads(result)["values"] == {"sum": 3}
-    with pytest.raises(oncard.CompileError) as caught:
-        oncard._oncard.compile(b"a.c", {b"a.c": b"int main()\n{\n  x = 1;\n}\n"}, False)
-    assert [mistake.code for mistake in caught.value.diagnostics] == ["MP027"]
