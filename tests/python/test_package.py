@@ -1,4 +1,4 @@
-"""The package as it is handed out: its types, and another Python than its own."""
+"""The package as it is handed out: its types, its wheel, and another Python than its own."""
 
 import ast
 import os
@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -87,3 +88,23 @@ def test_a_missing_or_broken_module_is_explained(copy):
     copy.unlink()
     done = python("-c", "import oncard", path=copy.parents[1])
     assert "./x python builds it" in done.stderr
+
+
+def test_a_wheel_is_for_this_python_and_has_the_plugin(tmp_path):
+    pytest.importorskip("build", reason="there is no build: apt-get install python3-build")
+    project = tmp_path / "project"
+    shutil.copytree(PACKAGE.parent, project, ignore=shutil.ignore_patterns("CMakeFiles", "build"))
+    done = python(
+        "-m", "build", "--wheel", "--no-isolation", "--outdir", tmp_path, project, path=""
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    wheel = next(tmp_path.glob("*.whl"))
+    version = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    assert wheel.name == f"oncard-{oncard.__version__}-{version}-{version}-linux_x86_64.whl"
+    installed = tmp_path / "installed"
+    zipfile.ZipFile(wheel).extractall(installed)
+    names = {path.name for path in (installed / "oncard").iterdir()}
+    assert names == {path.name for path in PACKAGE.iterdir() if path.name != "__pycache__"}
+    # pytest finds the plugin by itself.
+    done = python("-m", "pytest", "--help", path=installed, cwd=tmp_path)
+    assert "oncard_scenarios" in done.stdout
