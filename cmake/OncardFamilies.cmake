@@ -96,7 +96,8 @@ function(oncard_family name)
   target_link_libraries(oncard_${name}_entry_points
     PUBLIC oncard::${name}_interface oncard::host_api PRIVATE oncard::compiler)
 
-  add_library(${name} SHARED ${PROJECT_SOURCE_DIR}/runtime/host/host_hooks.cc)
+  add_library(${name} SHARED
+    ${PROJECT_SOURCE_DIR}/runtime/host/host_hooks.cc ${PROJECT_SOURCE_DIR}/runtime/host/host_life.cc)
   if(ARG_INTERRUPTS)
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/runtime/host/interrupt_hooks.cc)
   endif()
