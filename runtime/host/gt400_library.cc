@@ -16,7 +16,6 @@
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_interrupts.h"
 #include "runtime/host/library.h"
-#include "runtime/host/wait_object.h"
 
 namespace oncard::runtime {
 namespace {
@@ -172,9 +171,9 @@ int16_t UnhookHandler(ServiceCall& call) {
 }
 
 int16_t SetSyncEvent(ServiceCall& call) {
-  const void* const handle = call.arguments[0].host;
+  void* const handle = call.arguments[0].host;
   const bool removes = call.arguments[0].null;
-  auto event = removes ? nullptr : FindEvent(handle);
+  auto event = removes ? nullptr : InterruptEventOf(handle);
   if (!removes && event == nullptr) {
     return call.Refuse(LibraryFamily().not_open,
                        {"the handle is not one that CreateEvent has returned and that is open",

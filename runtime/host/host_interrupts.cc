@@ -1,8 +1,10 @@
 #include "runtime/host/host_interrupts.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
+#include "base/message.h"
 #include "runtime/host/call_scope.h"
 #include "runtime/host/card_table.h"
 #include "runtime/host/library.h"
@@ -39,6 +41,15 @@ InterruptAnswer HostInterrupts::AnswerOf(int card) {
 void HostInterrupts::Enable() {
   disabled_ = false;
   Come();
+}
+
+void ReportHopelessWait() {
+  static std::atomic<bool> said = false;
+  if (said.exchange(true)) return;
+  const Message message = MakeMessage(
+      "every thread waits for an interrupt that cannot come: the wait fails after {} s",
+      "所有线程都在等待不可能到来的中断：{} s 后等待失败", kNothingComesNs / 1'000'000'000);
+  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
 }
 
 // --- Cards ---------------------------------------------------------------------------------------

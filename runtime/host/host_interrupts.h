@@ -23,7 +23,6 @@
 
 #include "runtime/host/host_api.h"
 #include "runtime/host/virtual_time.h"
-#include "runtime/host/wait_object.h"
 
 namespace oncard::runtime {
 
@@ -32,10 +31,28 @@ inline constexpr int64_t kNothingComesNs = 60'000'000'000;
 /// How long a thread that waits with the real clock sleeps before it looks at the cards again.
 inline constexpr int64_t kRealStepNs = 1'000'000;
 
+/// An event of the host, for which its threads wait.
+class InterruptEvent {
+ public:
+  InterruptEvent() = default;
+  InterruptEvent(const InterruptEvent&) = delete;
+  InterruptEvent& operator=(const InterruptEvent&) = delete;
+  virtual ~InterruptEvent() = default;
+
+  /// Wakes those who wait for it. May be called with a card locked.
+  virtual void Set() = 0;
+};
+
+/// The event that has a handle; nullptr if there is none.
+std::shared_ptr<InterruptEvent> InterruptEventOf(void* handle);
+
+/// Says once that a wait has failed after kNothingComesNs; a host may wait again and again.
+void ReportHopelessWait();
+
 /// What a host does when a card interrupts it.
 struct InterruptAnswer {
   void (*handler)() = nullptr;
-  std::shared_ptr<WaitObject> event = nullptr;  ///< is set
+  std::shared_ptr<InterruptEvent> event = nullptr;  ///< is set
 };
 
 class HostInterrupts final : public WakeUps {

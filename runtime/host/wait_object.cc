@@ -1,32 +1,16 @@
 #include "runtime/host/wait_object.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <utility>
 
-#include "base/message.h"
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_clock.h"
-#include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/system_waits.h"
 #include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
-namespace {
-
-/// Said once: a host may wait again and again.
-void ReportHopelessWait() {
-  static std::atomic<bool> said = false;
-  if (said.exchange(true)) return;
-  const Message message = MakeMessage(
-      "every thread waits for an interrupt that cannot come: the wait fails after {} s",
-      "所有线程都在等待不可能到来的中断：{} s 后等待失败", kNothingComesNs / 1'000'000'000);
-  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
-}
-
-}  // namespace
 
 // --- Objects -------------------------------------------------------------------------------------
 
@@ -131,6 +115,8 @@ std::shared_ptr<WaitObject> FindEvent(const void* handle) {
   auto object = FindObject(handle);
   return object != nullptr && object->is_event() ? object : nullptr;
 }
+
+std::shared_ptr<InterruptEvent> InterruptEventOf(void* handle) { return FindEvent(handle); }
 
 bool CloseHandle(const void* handle) {
   Handles& handles = Handles::OfProcess();

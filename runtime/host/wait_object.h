@@ -11,9 +11,11 @@
 #include <memory>
 #include <mutex>
 
+#include "runtime/host/host_interrupts.h"
+
 namespace oncard::runtime {
 
-class WaitObject {
+class WaitObject final : public InterruptEvent {
  public:
   enum class Kind : uint8_t {
     kManualEvent,     ///< stays set until it is reset
@@ -24,12 +26,10 @@ class WaitObject {
   enum class End : uint8_t { kSet, kTimeOut, kFailed };
 
   WaitObject(Kind kind, bool is_set) : kind_(kind), is_set_(is_set) {}
-  WaitObject(const WaitObject&) = delete;
-  WaitObject& operator=(const WaitObject&) = delete;
 
   bool is_event() const { return kind_ != Kind::kThread; }
   /// Sets it, and wakes those who wait: if it is an automatic event one of them, else all.
-  void Set();
+  void Set() override;
   void Reset();
   /// Waits until it is set, at most this long; a negative duration means for ever. A duration of 0
   /// counts as reading the clock. Fails if nobody can set it any more. To be called outside of a

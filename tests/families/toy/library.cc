@@ -5,7 +5,6 @@
 
 #include "runtime/host/host_interrupts.h"
 #include "runtime/host/library.h"
-#include "runtime/host/wait_object.h"
 
 namespace oncard::gtcalls {
 const Family& ToyFamily();
@@ -45,7 +44,7 @@ int16_t OnInterrupt(ServiceCall& call) {
 
 int16_t SetEvent(ServiceCall& call) {
   HostInterrupts::OfProcess().Answer(
-      call.card(), {.handler = nullptr, .event = FindEvent(call.arguments[0].host)});
+      call.card(), {.handler = nullptr, .event = InterruptEventOf(call.arguments[0].host)});
   return vm::kOk;
 }
 
