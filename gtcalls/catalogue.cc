@@ -90,6 +90,7 @@ std::string DeclareParameter(const Parameter& parameter, std::string_view (*spel
   switch (parameter.passing) {
     case Passing::kValue:
     case Passing::kHandler:
+    case Passing::kHandle:
     case Passing::kResult:
       return fmt::format("{}{}{}", type, type.ends_with('*') ? "" : " ", parameter.name);
     case Passing::kText:

@@ -37,6 +37,7 @@ enum class Passing : uint8_t {
   kText,        ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput,  ///< `char**`: receives the address of a text that the library keeps
   kHandler,     ///< a function of the host, which the host library calls
+  kHandle,      ///< names an object of the host's operating system
   kHostMemory,  ///< pointer to a structure of pointers to arrays of the host, which the command
                 ///< fills
   kResult       ///< the last one: no parameter in C, but a function of the host that the command

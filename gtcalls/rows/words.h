@@ -170,6 +170,10 @@ constexpr Spec Handler(std::string_view type, std::string_view name) {
   spec.parameter.type_name = type;
   return spec;
 }
+/// An event of the host; the header declares its type.
+constexpr Spec Event(std::string_view type, std::string_view name) {
+  return Handler(type, name).Passed(Passing::kHandle);
+}
 /// A function of the host that the command returns in place of its code; after all parameters.
 constexpr Spec Returned(std::string_view type, std::string_view name) {
   return Handler(type, name).Passed(Passing::kResult);

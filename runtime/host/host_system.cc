@@ -11,7 +11,12 @@
 #include <filesystem>
 #include <system_error>
 
+#include "runtime/host/host_api.h"
+
 namespace oncard::runtime {
+
+// Handles are those that the library makes: addresses of its objects.
+bool CanBeHandle(const void* handle) { return IsAddress(handle); }
 
 const char kNameSeparator = ':';
 

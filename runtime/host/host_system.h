@@ -8,6 +8,9 @@
 
 namespace oncard::runtime {
 
+/// False for what can be no handle of an object of the system, nor NULL.
+bool CanBeHandle(const void* handle);
+
 /// What separates names of files in a variable of the environment.
 extern const char kNameSeparator;
 

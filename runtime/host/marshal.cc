@@ -8,6 +8,7 @@
 
 #include "gtcalls/card_elements.h"
 #include "runtime/host/host_structures.h"
+#include "runtime/host/host_system.h"
 #include "vm/machine.h"
 
 namespace oncard::runtime {
@@ -111,6 +112,7 @@ std::optional<double> ReadValue(const Parameter& parameter, const HostArgument& 
 /// True if a command cannot have this pointer as its argument.
 bool IsBadPointer(const Parameter& parameter, const void* pointer) {
   if (pointer == nullptr) return !parameter.nullable;
+  if (parameter.passing == Passing::kHandle) return !CanBeHandle(pointer);
   return parameter.passing != Passing::kLent && !IsAddress(pointer);
 }
 

@@ -58,6 +58,8 @@ constexpr bool Agrees(const Parameter& parameter) {
       return std::is_same_v<T, char**>;
     case Passing::kHandler:
       return std::is_function_v<Target>;
+    case Passing::kHandle:
+      return std::is_same_v<T, void*>;
     case Passing::kInput:
     case Passing::kOutput:
     case Passing::kLent:
