@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 #include "compiler/compiler.h"
 #include "gtcalls/gts/family.h"
 #include "gts.h"
@@ -142,13 +143,14 @@ int16_t Compile(ServiceCall& call) {
 
 /// The sources of a program, as far as they are where its `.ini` says.
 std::vector<RecordedSource> SourcesBeside(const std::string& bin_path, const vm::Image& image) {
-  const std::filesystem::path folder = std::filesystem::path(bin_path).parent_path();
+  const std::filesystem::path folder = PathOf(bin_path).parent_path();
   std::set<std::string> names;
   for (const vm::Function& function : image.object.functions) names.insert(function.file);
   std::vector<RecordedSource> sources;
   for (const std::string& name : names) {
     std::error_code failed;
-    const std::string path = std::filesystem::absolute(folder / name, failed).lexically_normal();
+    const std::string path =
+        FileNameOf(std::filesystem::absolute(folder / PathOf(name), failed).lexically_normal());
     auto text = ReadFile(path, kSourceKind);
     if (text.ok()) sources.push_back({path, std::move(text).value()});
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 #include "runtime/host/eni_file.h"
 
 namespace oncard::runtime {
@@ -40,7 +41,7 @@ bool NumberAxes(const std::vector<BusSlaveSetup>& connected, int axis_count,
 }  // namespace
 
 void TakeEni(const std::string& folder, Scenario* scenario) {
-  const std::string path = (std::filesystem::path(folder) / kEniName).string();
+  const std::string path = FileNameOf(PathOf(folder) / kEniName);
   if (folder.empty() || !FileExists(path)) return;
   BusSetup& bus = scenario->bus;
   const auto text = ReadFile(path, kEniKind);

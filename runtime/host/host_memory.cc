@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/path_bytes.h"
 #include "runtime/host/library.h"
 
 namespace oncard::runtime {
@@ -18,8 +19,8 @@ std::string NamedFile(const Scenario& scenario) {
   if (path.empty() && !scenario.mram.empty()) path = PathFromScenario(scenario, scenario.mram);
   if (path.empty()) return path;
   std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-  return error ? path : absolute.string();
+  const std::filesystem::path absolute = std::filesystem::absolute(PathOf(path), error);
+  return error ? path : FileNameOf(absolute);
 }
 
 /// The memory in a file as the card writes it; clear if there is no file.
