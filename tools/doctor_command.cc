@@ -1,6 +1,5 @@
 // oncard doctor: shows versions, what this build supports, and what is missing.
 #include <fmt/format.h>
-#include <httplib.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>
 
@@ -53,7 +52,7 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
       std::count_if(commands.begin(), commands.end(),
                     [](const gtcalls::Command& command) { return command.in_motion_program; });
   const auto count = [](auto number) { return fmt::format("{}", number); };
-  return {
+  std::vector<Fact> facts = {
       {"version", {"oncard", "oncard"}, ONCARD_VERSION},
       {"compiler", {"built by", "编译器"}, ONCARD_COMPILER},
       {"build_type", {"build type", "构建类型"}, ONCARD_BUILD_TYPE},
@@ -73,7 +72,7 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
       {"eigen", {"Eigen", "Eigen"}, ONCARD_EIGEN_VERSION},
       {"fast_float", {"fast_float", "fast_float"}, ONCARD_FAST_FLOAT_VERSION},
-      {"cpp_httplib", {"cpp-httplib", "cpp-httplib"}, CPPHTTPLIB_VERSION},
+      {"cpp_httplib", {"cpp-httplib", "cpp-httplib"}, ONCARD_HTTPLIB_VERSION},
       {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::CardTypeNames(), ", "))},
       {"commands", {"commands in the catalogue", "指令目录中的指令"}, count(commands.size())},
       {"commands_in_programs",
@@ -84,6 +83,9 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
        {"diagnostics of the compiler", "编译器诊断"},
        count(compiler::DiagnosticTable().size())},
   };
+  // A library that this build does not have has no version.
+  std::erase_if(facts, [](const Fact& fact) { return fact.value.empty(); });
+  return facts;
 }
 
 // A feature that needs something else to be installed.

@@ -1,6 +1,4 @@
 // oncard explore: checks whether any interleaving of the threads fails.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -305,7 +303,7 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
 
 void AddExplore(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ExploreArguments>();
-  arguments->progress = ::isatty(STDERR_FILENO) == 1;
+  arguments->progress = ErrorsGoToTerminal();
   CLI::App* command =
       AddCommand(app, invocation, "explore",
                  {"prove that a program is correct under every interleaving of its "

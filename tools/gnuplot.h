@@ -11,7 +11,7 @@ namespace oncard::tools {
 /// The output of `gnuplot --version`; empty if it is not installed.
 std::string GnuplotVersion();
 
-/// The advice if it is not installed.
+/// The advice if it is not installed (gnuplot_remedy.cc, gnuplot_remedy_windows.cc).
 Message GnuplotRemedy();
 
 /// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports errors. Returns

@@ -1,4 +1,5 @@
-// Host programs as tests: builds the host of a scenario and runs it under `oncard exec`. Tested by
+// Host programs as tests: builds the host of a scenario and runs it under `oncard exec`, where
+// there is that (host_tests.cc; elsewhere host_tests_windows.cc). Tested by
 // tests/tools/host_tests_test.cc.
 #pragma once
 
@@ -35,6 +36,9 @@ class ScratchFolder {
  private:
   std::string path_;
 };
+
+/// Why hosts are not tested here; empty if they are.
+Message WhyNoHostTests();
 
 /// Adds to `outcome` what became of Scenario::host_program, which runs in the scenario's folder. To
 /// be called while the process has only one thread.

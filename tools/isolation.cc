@@ -10,14 +10,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <exception>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "tools/child_process.h"
-#include "tools/invocation.h"
-#include "tools/outcome_text.h"
+#include "tools/packed_outcome.h"
 
 namespace oncard::tools {
 namespace {
@@ -28,16 +26,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLookMs = 100;
 constexpr auto kTimeToEnd = std::chrono::seconds(2);
 
-// --- The child -------------------------------------------------------------------------------
-
 [[noreturn]] void WorkAndEnd(const std::function<TestOutcome()>& work, int descriptor) {
-  TestOutcome outcome;
-  try {
-    outcome = work();
-  } catch (const std::exception& error) {
-    outcome.failures.push_back(MakeMessage("internal error: {0}", "内部错误：{0}", error.what()));
-  }
-  const std::string text = PackOutcome(outcome);
+  const std::string text = PackedOutcomeOf(work);
   std::string_view rest = text;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor, rest.data(), rest.size());
@@ -48,20 +38,9 @@ constexpr auto kTimeToEnd = std::chrono::seconds(2);
   ::_exit(0);
 }
 
-// --- The parent ------------------------------------------------------------------------------
-
 Message DescribeEnd(int status) {
-  if (WIFSIGNALED(status)) {
-    const char* name = ::strsignal(WTERMSIG(status));
-    return MakeMessage("oncard itself crashed on this file ({0}): please report it",
-                       "oncard 处理该文件时崩溃（{0}）：请报告此问题", name);
-  }
-  if (WEXITSTATUS(status) == kExitIncomplete) {
-    return {"there was not enough memory for it", "内存不足，无法完成"};
-  }
-  return MakeMessage("oncard ended unexpectedly on this file (exit code {0}): please report it",
-                     "oncard 处理该文件时意外结束（退出码 {0}）：请报告此问题",
-                     WEXITSTATUS(status));
+  return WIFSIGNALED(status) ? DescribeCrash(::strsignal(WTERMSIG(status)))
+                             : DescribeExit(WEXITSTATUS(status));
 }
 
 /// A test that runs.
@@ -96,11 +75,7 @@ class IsolatedRuns {
  private:
   void Begin(size_t test) {
     TestOutcome& outcome = outcomes_[test];
-    if (stop_) {
-      outcome.interrupted = true;
-      outcome.failures.push_back({"not run: interrupted", "未运行：被中断"});
-      return;
-    }
+    if (stop_) return MarkNotRun(&outcome);
     int ends[2] = {};
     const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
     const pid_t self = ::getpid();
@@ -190,11 +165,6 @@ class IsolatedRuns {
 }  // namespace
 
 int ProcessorCount() { return static_cast<int>(std::thread::hardware_concurrency()); }
-
-Message TookTooLong(int limit_s) {
-  return MakeMessage("it took longer than {0} s: --timeout sets the limit",
-                     "耗时超过 {0} 秒：可用 --timeout 设定上限", limit_s);
-}
 
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,

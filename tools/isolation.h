@@ -26,9 +26,6 @@ struct IsolationOptions {
 /// How many tests this computer runs at the same time at best; 0: it does not say.
 int ProcessorCount();
 
-/// The failure of a test that took longer than its limit.
-Message TookTooLong(int limit_s);
-
 /// The outcomes in the order of the tests. Each child is the leader of a process group of its own,
 /// with which it is stopped or killed, and dies with the caller. A child that crashes or ends
 /// unexpectedly has failed. If `stop` is set meanwhile, children get SIGTERM, and are killed if

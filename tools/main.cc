@@ -1,9 +1,6 @@
 // The oncard command: reads language and colour first, because the help texts depend on them; CLI11
 // does the rest. CLI11 reports errors by exceptions, which are caught here.
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -13,6 +10,7 @@
 #include "tools/command_tree.h"
 #include "tools/commands.h"
 #include "tools/out_of_memory.h"
+#include "tools/terminal.h"
 
 namespace oncard::tools {
 namespace {
@@ -40,9 +38,7 @@ bool UseColor(std::string_view when) {
   // https://no-color.org: set and not empty.
   const char* no_color = std::getenv("NO_COLOR");
   if (no_color != nullptr && *no_color != '\0') return false;
-  const char* terminal = std::getenv("TERM");
-  const bool capable = terminal != nullptr && std::string_view(terminal) != "dumb";
-  return capable && ::isatty(STDERR_FILENO) == 1;
+  return ErrorsHaveColors();
 }
 
 // Its name is that of the command.
@@ -148,8 +144,7 @@ int Main(int argc, char** argv) {
 }  // namespace oncard::tools
 
 int main(int argc, char** argv) {
-  // If the shell's file size limit is exceeded, the error is reported like a full disk.
-  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  oncard::tools::PrepareStreams();
   try {
     return oncard::tools::Main(argc, argv);
   } catch (const std::exception& error) {

@@ -16,7 +16,7 @@ std::string* said = nullptr;
 [[noreturn]] void End() {
   UndoWrites();
   // An error of this write cannot be handled.
-  static_cast<void>(!::write(STDERR_FILENO, said->data(), said->size()));
+  static_cast<void>(!::write(STDERR_FILENO, said->data(), static_cast<unsigned>(said->size())));
   ::_exit(kExitIncomplete);
 }
 

@@ -1,6 +1,7 @@
 // With a thread that watches, and signals that end the search. See search_watch_wasi.cc.
 #include "tools/search_watch.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <condition_variable>
@@ -8,13 +9,17 @@
 #include <mutex>
 #include <thread>
 
+#include "tools/search_look.h"
+#include "tools/stop_signal_numbers.h"
+
 namespace oncard::tools {
 namespace {
 
 /// The search that a signal stops.
 std::atomic<explore::SearchProgress*> watched{nullptr};
 
-extern "C" void StopSearch(int /*signal*/) {
+extern "C" void StopSearch(int signal) {
+  static_cast<void>(std::signal(signal, SIG_DFL));
   explore::SearchProgress* progress = watched.load();
   if (progress == nullptr) return;
   progress->interrupted = true;
@@ -29,14 +34,9 @@ class SearchWatch::Watcher {
           explore::SearchProgress* progress)
       : look_(invocation, options, progress) {
     watched = progress;
-    struct sigaction stops = {};
-    stops.sa_handler = StopSearch;
-    stops.sa_flags = static_cast<int>(SA_RESETHAND);
-    for (size_t i = 0; i < kSignals.size(); ++i) {
-      ::sigaction(kSignals[i], nullptr, &before_[i]);
-      const bool ignored = before_[i].sa_handler == SIG_IGN;
-      if (kSignals[i] != SIGHUP || !ignored) ::sigaction(kSignals[i], &stops, nullptr);
-    }
+    std::ranges::transform(signals_, before_.begin(),
+                           [](int signal) { return std::signal(signal, StopSearch); });
+    if (before_.back() == SIG_IGN) static_cast<void>(std::signal(signals_.back(), SIG_IGN));
     watching_ = std::thread([this] { Watch(); });
   }
   Watcher(const Watcher&) = delete;
@@ -48,13 +48,13 @@ class SearchWatch::Watcher {
     }
     changed_.notify_all();
     watching_.join();
-    for (size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+    for (size_t i = 0; i < signals_.size(); ++i) {
+      static_cast<void>(std::signal(signals_[i], before_[i]));
+    }
     watched = nullptr;
   }
 
  private:
-  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
-
   void Watch() {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, look_.Next(), [this] { return over_; })) {
@@ -66,7 +66,8 @@ class SearchWatch::Watcher {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool over_ = false;
-  std::array<struct sigaction, kSignals.size()> before_{};  ///< what the signals did
+  const std::array<int, 3> signals_ = kStopSignals.all();
+  std::array<void (*)(int), 3> before_{};  ///< what the signals did
   std::thread watching_;
 };
 

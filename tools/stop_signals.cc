@@ -1,18 +1,17 @@
 #include "tools/stop_signals.h"
 
-#include <array>
 #include <csignal>
+
+#include "tools/stop_signal_numbers.h"
 
 namespace oncard::tools {
 namespace {
-
-constexpr std::array kStopSignals = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<std::atomic<bool>*> current{nullptr};
 
 // A signal that is ignored, for example by nohup, remains ignored.
 void Handle(void (*handler)(int)) {
-  for (const int signal : kStopSignals) {
+  for (const int signal : kStopSignals.all()) {
     if (std::signal(signal, handler) == SIG_IGN) static_cast<void>(std::signal(signal, SIG_IGN));
   }
 }

@@ -1,8 +1,4 @@
 // oncard test: runs every scenario in files and folders, with its program or with many.
-#include <glob.h>
-
-#include <unistd.h>
-
 #include <chrono>
 #include <optional>
 
@@ -14,6 +10,7 @@
 #include "runtime/scenario/file/requirement.h"
 #include "runtime/scenario/run/requirement_watch.h"
 #include "tools/commands.h"
+#include "tools/file_patterns.h"
 #include "tools/host_tests.h"
 #include "tools/isolation.h"
 #include "tools/program_warnings.h"
@@ -21,6 +18,7 @@
 #include "tools/scenario_folder.h"
 #include "tools/search_watch.h"
 #include "tools/stop_signals.h"
+#include "tools/terminal.h"
 #include "tools/test_report.h"
 
 namespace oncard::tools {
@@ -48,16 +46,12 @@ constexpr int kTimeout = 60;
 
 // The programs that match a pattern, sorted by path.
 Result<std::vector<std::string>> FindPrograms(const std::string& pattern) {
-  glob_t matches = {};
-  const int code = ::glob(pattern.c_str(), 0, nullptr, &matches);
-  std::vector<std::string> found;
-  for (size_t i = 0; i < matches.gl_pathc; ++i) found.emplace_back(matches.gl_pathv[i]);
-  ::globfree(&matches);
-  if (code == 0) return found;
-  if (code == GLOB_NOMATCH) {
+  auto found = FilesMatching(pattern);
+  if (!found) return MakeError(1, "cannot search for '{0}'", "无法查找“{0}”", pattern);
+  if (found->empty()) {
     return MakeError(1, "no program matches '{0}'", "没有程序匹配“{0}”", pattern);
   }
-  return MakeError(1, "cannot search for '{0}'", "无法查找“{0}”", pattern);
+  return *std::move(found);
 }
 
 // A failed compilation as one message: its diagnostics in the format of `check`.
@@ -204,6 +198,10 @@ void TestHost(runtime::Scenario scenario, const std::string& scratch, const Test
         "= [\"./host\"] }"};
     return;
   }
+  if (const Message why = WhyNoHostTests(); !why.en.empty()) {
+    outcome->skipped = why;
+    return;
+  }
   // Where a test has a limit, it is the only one: of two, either could be reached first.
   const bool limited = testing.arguments.timeout_s || !testing.arguments.programs.empty();
   RunHostTest(scenario,
@@ -328,7 +326,7 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
 
 void AddTest(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<TestArguments>();
-  arguments->progress = ::isatty(STDERR_FILENO) == 1;
+  arguments->progress = ErrorsGoToTerminal();
   CLI::App* command =
       AddCommand(app, invocation, "test",
                  {"run scenarios and report which expectations fail", "运行场景并报告未满足的期望"},
