@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -17,6 +18,7 @@ DOCUMENTATION = "usr/share/doc/oncard-doc"
 # What lists leave out: the page, which is there where it could be built, and the documentation.
 NOT_LISTED = re.compile(rf"usr/share/oncard/page/|{DOCUMENTATION}/(.*/|.*\.md$)")
 FOLDER = Path(sys.argv.pop(1)) if len(sys.argv) > 1 else ROOT / "build" / "packages"
+ARCHIVE = FOLDER / "oncard-windows.zip"
 
 
 def output_of(*command):
@@ -106,6 +108,19 @@ class Packages(unittest.TestCase):
             text=True,
         )
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+
+    def test_the_archive_for_windows_has_what_hosts_need_once(self):
+        if not ARCHIVE.exists():
+            self.skipTest("there is no oncard-windows.zip: ./x windows was not run")
+        with zipfile.ZipFile(ARCHIVE) as archive:
+            files = archive.namelist()
+        for folder in ("x64", "x86", "x64-multi", "x86-multi"):
+            for name in ("gts.dll", "gts.lib", "libgts.a"):
+                self.assertIn(f"{folder}/{name}", files)
+        for name in ("x64/oncard.exe", "include/gts.h", "include/GT400.h", "LICENSE"):
+            self.assertIn(name, files)
+        # Windows does not distinguish capital letters.
+        self.assertEqual(len({file.lower() for file in files}), len(files))
 
     def test_have_the_sums_of_their_list(self):
         lines = [line.split() for line in (FOLDER / "SHA256SUMS").read_text().splitlines()]
