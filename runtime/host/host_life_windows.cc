@@ -1,0 +1,67 @@
+// The life of a host on Windows beside its calls: the library is told when it is loaded and when it
+// is unloaded, and replaces functions in between.
+#include <windows.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "runtime/host/call_scope.h"
+#include "runtime/host/host_end_windows.h"
+#include "runtime/host/host_imports_windows.h"
+#include "runtime/host/host_threads_windows.h"
+#include "runtime/host/host_time.h"
+
+namespace oncard::runtime {
+namespace {
+
+bool IsSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+/// The library stays until the end of the process: if it is unloaded now, it cannot judge its host,
+/// or threads may still be in functions that it has replaced.
+void Stay(HINSTANCE own) {
+  HMODULE pinned = nullptr;
+  ::GetModuleHandleExA(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_PIN,
+                       reinterpret_cast<const char*>(own), &pinned);
+}
+
+void Begin(HINSTANCE own) {
+  EnrolThread();
+  ImportPatches& patches = ImportPatches::OfProcess();
+  patches.Add(ProcessImports());
+  const bool is_virtual = HostTimeIsVirtual();
+  if (is_virtual || IsSet("ONCARD_SCENARIO") || IsSet("ONCARD_REFUSALS")) Stay(own);
+  if (is_virtual || IsSet("ONCARD_KEYS") || IsSet("ONCARD_SCENARIO")) patches.Add(KeyImports());
+  if (is_virtual) {
+    for (const auto replacements :
+         {ClockImports(), WaitImports(), LockImports(), LoaderImports()}) {
+      patches.Add(replacements);
+    }
+  }
+  patches.PatchModules();
+}
+
+/// The library is unloaded.
+void Leave() {
+  ImportPatches::OfProcess().PutBack();
+  const CallScope scope;
+  FinishOnce();
+}
+
+}  // namespace
+}  // namespace oncard::runtime
+
+/// `reserved` is not null where the process ends.
+extern "C" BOOL WINAPI DllMain(HINSTANCE own, DWORD reason, void* reserved) {
+  if (reason == DLL_PROCESS_ATTACH) oncard::runtime::Begin(own);
+  if (reason == DLL_PROCESS_DETACH) {
+    if (reserved == nullptr) {
+      oncard::runtime::Leave();
+    } else {
+      oncard::runtime::FinishOnce();
+    }
+  }
+  return TRUE;
+}
