@@ -7,7 +7,8 @@
 #   oncard::<name>_interface     the folder with its headers
 #   oncard::<name>_entry_points  the functions of its library, for whoever is no library
 #   oncard::<name>               lib<name>.so, with which host programs are linked; a link to the
-#                                library itself, whose name ends in the version of its interface
+#                                library itself, whose name ends in the version of its interface.
+#                                <name>.dll for Windows
 #
 # EXPORTS are the names of its functions. SOURCES define its HostLibrary (runtime/host/library.h).
 # HEADER is <name>.h unless it is given; several are spellings of one name. MODULE_HEADER, MULTI_CARD
@@ -96,6 +97,10 @@ function(oncard_family name)
   target_link_libraries(oncard_${name}_entry_points
     PUBLIC oncard::${name}_interface oncard::host_api PRIVATE oncard::compiler)
 
+  if(ONCARD_WINDOWS)
+    oncard_windows_library(${name})
+    return()
+  endif()
   add_library(${name} SHARED
     ${PROJECT_SOURCE_DIR}/runtime/host/host_hooks.cc ${PROJECT_SOURCE_DIR}/runtime/host/host_life.cc)
   if(ARG_INTERRUPTS)

@@ -21,3 +21,15 @@ if(CMAKE_SIZEOF_VOID_P EQUAL 4)
   # four bytes only.
   target_compile_options(oncard_options INTERFACE -msse2 -mfpmath=sse -mstackrealign)
 endif()
+
+# oncard_windows_library(name): <name>.dll of a family, for which oncard_family() has made the rest.
+function(oncard_windows_library name)
+  set(host_dir ${PROJECT_SOURCE_DIR}/runtime/host)
+  add_library(${name} SHARED ${host_dir}/host_hooks.cc ${host_dir}/host_life_windows.cc)
+  add_library(oncard::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES PREFIX "" UNITY_BUILD OFF)
+  target_link_options(${name} PRIVATE -s)  # without its symbols
+  target_link_libraries(${name}
+    PRIVATE oncard_options oncard_${name}_entry_points
+    INTERFACE oncard::${name}_interface)
+endfunction()
