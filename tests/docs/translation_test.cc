@@ -49,7 +49,7 @@ TEST_P(TranslationTest, AndOriginalLeadToEachOther) {
 INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest,
                          testing::Values("README", "docs/from-ge", "docs/from-gt400",
                                          "docs/install", "docs/language", "docs/structured",
-                                         "docs/tutorials/1-first-program",
+                                         "docs/windows", "docs/tutorials/1-first-program",
                                          "docs/tutorials/2-first-axis", "docs/tutorials/3-threads",
                                          "docs/tutorials/4-explore", "docs/tutorials/5-rewind",
                                          "docs/tutorials/6-structured", "docs/tutorials/7-host"));
