@@ -3,6 +3,7 @@
 find_path(EIGEN3_INCLUDE_DIR Eigen/Core PATHS /usr/include PATH_SUFFIXES eigen3 NO_DEFAULT_PATH REQUIRED)
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
 target_include_directories(Eigen3::Eigen INTERFACE ${EIGEN3_INCLUDE_DIR})
+add_library(CLI11::CLI11 INTERFACE IMPORTED)
 add_library(FastFloat::fast_float INTERFACE IMPORTED)
 add_library(fmt::fmt INTERFACE IMPORTED)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
