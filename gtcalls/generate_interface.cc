@@ -6,6 +6,10 @@
 //   generate_interface FAMILY multi-entry-points FILE   the same with a card number
 //   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
 //   generate_interface FAMILY structures FILE           structures of the header as cells and back
+//   generate_interface FAMILY multi-basic-entry-points FILE   the same with a card number
+//   generate_interface FAMILY exports-x64 FILE          what its library for Windows exports
+//   generate_interface FAMILY multi-exports-x64 FILE    the same if plain names have a card number;
+//                                                       x86: both for 32 bits
 //   generate_interface FAMILY csharp FILE               its declarations for C#
 //   generate_interface FAMILY multi-csharp FILE         the same with a card number
 //   generate_interface FAMILY markdown FILE             its page in docs/, of which each form has
@@ -41,6 +45,7 @@
 #include "gtcalls/csharp_declarations.h"
 #include "gtcalls/interface_form.h"
 #include "gtcalls/interface_parts.h"
+#include "gtcalls/module_definition.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -292,8 +297,8 @@ void AppendBasicLayout(std::string* out, const InterfaceForm& form, const Struct
 }
 
 /// The parameters as a host that uses the basic header passes them.
-std::string BasicDeclarations(const InterfaceForm& form, const Command& command) {
-  std::string text;
+std::string BasicDeclarations(const InterfaceForm& form, const Command& command, bool multi_card) {
+  std::string text = multi_card ? "short cardNum" : "";
   for (const Parameter& parameter : command.parameters) {
     text += text.empty() ? "" : ", ";
     if (IsBasic(form, parameter)) text += "basic::";
@@ -302,12 +307,14 @@ std::string BasicDeclarations(const InterfaceForm& form, const Command& command)
   return text;
 }
 
-void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Command& command) {
-  const std::string declarations = BasicDeclarations(form, command);
-  Append(out, "extern \"C\" short {2}CALL_ {0}({1});\nshort {2}CALL_ {0}({1}) {{\n", command.name,
-         declarations, form.macro_prefix);
+void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Command& command,
+                           bool multi_card) {
+  const std::string ours = multi_card ? MultiCardName(form, command) : WideName(form, command);
+  Append(out, "extern \"C\" short {2}CALL_ {0}({1});\nshort {2}CALL_ {0}({1}) {{\n",
+         multi_card ? fmt::format("{}{}", kMultiBasicPrefix, ours) : command.name,
+         BasicDeclarations(form, command, multi_card), form.macro_prefix);
   std::string before;
-  std::string names;
+  std::string names = multi_card ? "cardNum" : "";
   std::string after;
   for (const Parameter& parameter : command.parameters) {
     names += names.empty() ? "" : ", ";
@@ -323,8 +330,8 @@ void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Co
       Append(&after, "  if (code == 0) Copy(wide_{0}, {0});\n", parameter.name);
     }
   }
-  Append(out, "{}  const short code = {}({});\n{}  return code;\n}}\n\n", before,
-         WideName(form, command), names, after);
+  Append(out, "{}  const short code = {}({});\n{}  return code;\n}}\n\n", before, ours, names,
+         after);
 }
 
 constexpr std::string_view kBasicHead =
@@ -332,9 +339,7 @@ constexpr std::string_view kBasicHead =
 // structures differ. Generated: do not edit.
 #include <algorithm>
 
-// With these macros the header declares only the functions with the other prefix.
-{1}#include "{0}.h"
-{2}#include "runtime/host/host_api.h"
+{1}#include "runtime/host/host_api.h"
 
 namespace oncard::runtime {{
 namespace {{
@@ -349,8 +354,9 @@ Ours* Wide(Basic* host, Ours* wide) {{
 
 )";
 
-/// The functions with plain names, as the vendor's basic header declares them. They call ours.
-std::string BasicEntryPoints(const InterfaceForm& form) {
+/// The header, with the plain names of the functions free for those that follow.
+std::string IncludeForBasic(const InterfaceForm& form, bool multi_card) {
+  if (multi_card) return fmt::format("#include \"{}_multi.h\"\n", form.header);
   std::string rename;
   std::string restore;
   for (const Command& command : form.catalogue.commands()) {
@@ -358,11 +364,21 @@ std::string BasicEntryPoints(const InterfaceForm& form) {
     Append(&rename, "#define {} {}\n", command.name, WideName(form, command));
     Append(&restore, "#undef {}\n", command.name);
   }
+  return fmt::format(
+      "// With these macros the header declares only the functions with the other prefix.\n"
+      "{}#include \"{}.h\"\n{}",
+      rename, form.header, restore);
+}
+
+/// The functions as the vendor's basic header declares them, with plain names or, with a card
+/// number, with names that only a library for several cards exports. They call ours.
+std::string BasicEntryPoints(const InterfaceForm& form, bool multi_card) {
   std::string out;
-  Append(&out, kBasicHead, form.header, rename, restore);
+  Append(&out, kBasicHead, form.header, IncludeForBasic(form, multi_card));
   for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, form, layout);
   for (const Command& command : form.catalogue.commands()) {
-    if (command.on_host && HasBasic(form, command)) AppendBasicEntryPoint(&out, form, command);
+    if (!command.on_host || !HasBasic(form, command)) continue;
+    AppendBasicEntryPoint(&out, form, command, multi_card);
   }
   return out + "}  // namespace oncard::runtime\n";
 }
@@ -577,7 +593,14 @@ std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "module-header") return ModuleHeader(form);
   if (what == "entry-points") return EntryPoints(form, false);
   if (what == "multi-entry-points") return EntryPoints(form, true);
-  if (what == "basic-entry-points") return BasicEntryPoints(form);
+  if (what == "basic-entry-points") return BasicEntryPoints(form, false);
+  if (what == "multi-basic-entry-points") return BasicEntryPoints(form, true);
+  if (what == "exports-x64") return ModuleDefinition(form, {});
+  if (what == "exports-x86") return ModuleDefinition(form, {.decorated = true});
+  if (what == "multi-exports-x64") return ModuleDefinition(form, {.multi_card = true});
+  if (what == "multi-exports-x86") {
+    return ModuleDefinition(form, {.multi_card = true, .decorated = true});
+  }
   if (what == "structures") return StructureConversions(form);
   if (what == "csharp") return CsharpDeclarations(form, false);
   if (what == "multi-csharp") return CsharpDeclarations(form, true);

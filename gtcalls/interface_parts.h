@@ -26,6 +26,10 @@ std::string MultiCardName(const InterfaceForm& form, const Command& command);
 /// header.
 std::string WideName(const InterfaceForm& form, const Command& command);
 
+/// What stands before the name with a card number where a function takes the structures of the
+/// basic header. A library for Windows exports it with the plain name.
+inline constexpr std::string_view kMultiBasicPrefix = "Basic";
+
 /// True for a parameter whose memory has another layout in the basic header. Memory that is only
 /// lent has no layout.
 bool IsBasic(const InterfaceForm& form, const Parameter& parameter);
