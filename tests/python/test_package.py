@@ -93,7 +93,7 @@ def test_a_missing_or_broken_module_is_explained(copy):
 def test_a_wheel_is_for_this_python_and_has_the_plugin(tmp_path):
     pytest.importorskip("build", reason="there is no build: apt-get install python3-build")
     project = tmp_path / "project"
-    shutil.copytree(PACKAGE.parent, project, ignore=shutil.ignore_patterns("CMakeFiles", "build"))
+    shutil.copytree(PACKAGE.parent, project, ignore=shutil.ignore_patterns("CMakeFiles"))
     done = python(
         "-m", "build", "--wheel", "--no-isolation", "--outdir", tmp_path, project, path=""
     )
@@ -106,5 +106,6 @@ def test_a_wheel_is_for_this_python_and_has_the_plugin(tmp_path):
     names = {path.name for path in (installed / "oncard").iterdir()}
     assert names == {path.name for path in PACKAGE.iterdir() if path.name != "__pycache__"}
     # pytest finds the plugin by itself.
-    done = python("-m", "pytest", "--help", path=installed, cwd=tmp_path)
-    assert "oncard_scenarios" in done.stdout
+    for named in ([], ["-p", "oncard.pytest_plugin"]):
+        done = python("-m", "pytest", *named, "--help", path=installed, cwd=tmp_path)
+        assert "oncard_scenarios" in done.stdout, done.stderr
