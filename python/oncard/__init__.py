@@ -2,6 +2,8 @@
 
     run = oncard.run("trap.toml", trace=True)
     run.passed, run.trace["axis1.prfPos"]
+
+docs/python.md describes the package.
 """
 
 from __future__ import annotations
