@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdint>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +14,12 @@
 #include "runtime/host/host_api.h"
 
 namespace oncard::runtime {
+namespace {
+
+/// The exit code of a host that ends with 0.
+std::atomic<int> success = 0;
+
+}  // namespace
 
 // Handles are those that the library makes: addresses of its objects.
 bool CanBeHandle(const void* handle) { return IsAddress(handle); }
@@ -51,13 +57,14 @@ void EndProcess(int code) {
   ::_exit(code);
 }
 
-// Only such a function is given the host's exit code. The C library calls it next.
 void ReplaceSuccess(int code) {
+  success = code;
+  // Only such a function is given the host's exit code. The C library calls it next.
   ::on_exit(
-      [](int status, void* wanted) {
-        if (status == 0) ::_exit(static_cast<int>(reinterpret_cast<intptr_t>(wanted)));
+      [](int status, void*) {
+        if (status == 0) ::_exit(success);
       },
-      reinterpret_cast<void*>(static_cast<intptr_t>(code)));
+      nullptr);
 }
 
 }  // namespace oncard::runtime
