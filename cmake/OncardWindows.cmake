@@ -28,7 +28,8 @@ function(oncard_windows_library name)
   add_library(${name} SHARED ${host_dir}/host_hooks.cc ${host_dir}/host_life_windows.cc)
   add_library(oncard::${name} ALIAS ${name})
   set_target_properties(${name} PROPERTIES PREFIX "" UNITY_BUILD OFF)
-  target_link_options(${name} PRIVATE -s)  # without its symbols
+  # Neither its symbols, nor what static libraries in it would export.
+  target_link_options(${name} PRIVATE -s LINKER:--exclude-libs,ALL)
   target_link_libraries(${name}
     PRIVATE oncard_options oncard_${name}_entry_points
     INTERFACE oncard::${name}_interface)

@@ -2,7 +2,6 @@
 // is unloaded, and replaces functions in between.
 #include <windows.h>
 
-#include <cstdio>
 #include <cstdlib>
 
 #include "runtime/host/call_scope.h"
@@ -32,8 +31,9 @@ void Begin(HINSTANCE own) {
   ImportPatches& patches = ImportPatches::OfProcess();
   patches.Add(ProcessImports());
   const bool is_virtual = HostTimeIsVirtual();
-  if (is_virtual || IsSet("ONCARD_SCENARIO") || IsSet("ONCARD_REFUSALS")) Stay(own);
-  if (is_virtual || IsSet("ONCARD_KEYS") || IsSet("ONCARD_SCENARIO")) patches.Add(KeyImports());
+  const bool has_keys = is_virtual || IsSet("ONCARD_KEYS") || IsSet("ONCARD_SCENARIO");
+  if (has_keys) patches.Add(KeyImports());
+  if (has_keys || IsSet("ONCARD_REFUSALS")) Stay(own);
   if (is_virtual) {
     for (const auto replacements :
          {ClockImports(), WaitImports(), LockImports(), LoaderImports()}) {

@@ -55,7 +55,7 @@ case $what in
     echo 'short GT_Open(short a, short b) { return (short)(a + b); }' >gts.c
     "$other-gcc-posix" -shared gts.c -o gts.dll
     code=0
-    "$here/under_wine.sh" host.exe >out.txt 2>err.txt || code=$?
+    env -u WINEPATH "$here/under_wine.sh" host.exe >out.txt 2>err.txt || code=$?
     [ "$code" -ne 0 ]
     ;;
 esac
