@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # command.sh WHAT FOLDER: oncard.exe, run by Wine, does what oncard does on this computer. Each runs in
-# a folder of its own under FOLDER, with copies of the same files. NATIVE and WINDOWS are the folders of
-# the two builds, WINE is the program that runs the second one.
+# a folder of its own under FOLDER, with copies of the same files. The environment is that of same.sh.
 set -euo pipefail
 what=$1 home=$2
-samples=$(realpath "$(dirname "$0")/../../../samples")
-export WINEDEBUG=-all LC_ALL=C.UTF-8 ONCARD_LANG=en
+here=$(realpath "$(dirname "$0")")
+samples=$(realpath "$here/../../samples")
+export LC_ALL=C.UTF-8 ONCARD_LANG=en
 rm -rf "$home"
 mkdir -p "$home/native" "$home/windows"
 
 on_native() { (cd "$home/native" && "$NATIVE/bin/oncard" "$@"); }
-on_windows() { (cd "$home/windows" && "$WINE" "$WINDOWS/bin/oncard.exe" "$@"); }
+on_windows() { (cd "$home/windows" && "$here/under_wine.sh" "$WINDOWS/bin/oncard.exe" "$@"); }
 
 fail() { printf '%s\n' "$@" >&2; exit 1; }
 
