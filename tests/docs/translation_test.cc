@@ -47,7 +47,7 @@ TEST_P(TranslationTest, AndOriginalLeadToEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest,
-                         testing::Values("README", "docs/from-ge", "docs/from-gt400",
+                         testing::Values("README", "docs/dotnet", "docs/from-ge", "docs/from-gt400",
                                          "docs/install", "docs/language", "docs/structured",
                                          "docs/windows", "docs/tutorials/1-first-program",
                                          "docs/tutorials/2-first-axis", "docs/tutorials/3-threads",
