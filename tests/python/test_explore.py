@@ -1,13 +1,11 @@
 """Explorations are those of the command `oncard explore`."""
 
-import os
-import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from conftest import SAMPLES, command
+from conftest import command
 from test_run import scenarios
 
 import oncard
@@ -105,35 +103,47 @@ def test_bad_arguments_are_errors(arguments, message):
 
 
 # More schedules than any computer can try: three threads that count to a thousand.
-LONG = """int count;
-int count_up() {{ int i; int c; int copy;
+LONG = {
+    "long.c": """int count;
+int count_up() { int i; int c; int copy;
   i = 0;
 lbl: copy = count; count = copy + 1; i = i + 1;
   c = i < 1000; if (c) goto lbl;
-}}
+}
 """
+}
 LONG_SCENARIO = {
     "program": "long.c",
     "thread": [{"thread": i, "function": "count_up", "page": i} for i in range(3)],
     "final": ["count >= 0"],
 }
+ENDLESS = {"endless.c": "int i;\nint main()\n{\n  lbl: i = i + 1;\n  goto lbl;\n}\n"}
+ENDLESS_SCENARIO = {"program": "endless.c", "limit_ms": 1_000_000_000}
 
 
 def test_limits_end_a_search():
     for limit in ({"seconds": 0.3}, {"memory_mib": 1}):
-        proof = oncard.explore(LONG_SCENARIO, files={"long.c": LONG.format()}, **limit)
+        proof = oncard.explore(LONG_SCENARIO, files=LONG, **limit)
         assert proof.verdict == "INCOMPLETE"
 
 
-def test_ctrl_c_ends_a_search():
+@pytest.mark.parametrize(
+    "call",
+    [
+        "oncard.explore(LONG_SCENARIO, files=LONG)",
+        "oncard.run(ENDLESS_SCENARIO, files=ENDLESS)",
+        "oncard.Session(ENDLESS_SCENARIO, files=ENDLESS).forward()",
+    ],
+)
+def test_ctrl_c_ends_what_takes_long(call):
     script = f"""
 import os, signal, sys, threading
 sys.path.insert(0, {str(Path(__file__).parent)!r})
 import oncard
-from test_explore import LONG, LONG_SCENARIO
+from test_explore import *
 threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 try:
-    oncard.explore(LONG_SCENARIO, files={{"long.c": LONG.format()}})
+    {call}
 except KeyboardInterrupt:
     print("interrupted")
 """

@@ -45,17 +45,22 @@ def test_scenarios_of_the_explorer_are_explored(pytester, project):
 
 
 def test_hosts_are_run_by_the_command_or_skipped(pytester, project, monkeypatch):
-    for name in ("trap.host.toml", "host.c"):
-        (project / name).write_text("")
-    (project / "trap.host.toml").write_text('host = { command = ["false"] }\n')
-    result = run(pytester)
-    result.assert_outcomes(failed=1)
-    monkeypatch.setenv("ONCARD_SCENARIO", "")
+    (project / "fails.host.toml").write_text('host = { command = ["false"] }\n')
+    (project / "none.host.toml").write_text('expect = ["axis1.prfPos == 0"]\n')
+    result = run(pytester, "-rs")
+    result.assert_outcomes(failed=1, skipped=1)
+    result.stdout.fnmatch_lines(
+        ["'false' ended with the exit code 1", "*it names no host program: add host =*"]
+    )
     monkeypatch.delenv("ONCARD")
     monkeypatch.setenv("PATH", "/nowhere")
     result = run(pytester, "-rs")
-    result.assert_outcomes(skipped=1)
+    result.assert_outcomes(skipped=2)
     result.stdout.fnmatch_lines(["*run by the command oncard: put it into PATH*"])
+    monkeypatch.setenv("ONCARD", "/nowhere/oncard")
+    result = run(pytester)
+    result.assert_outcomes(failed=2)
+    result.stdout.fnmatch_lines(["/nowhere/oncard: No such file or directory"])
 
 
 def test_mistakes_are_reported_as_they_are(pytester, project):

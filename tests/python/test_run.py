@@ -2,6 +2,8 @@
 
 import os
 import pickle
+import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -231,6 +233,25 @@ def test_bad_names_are_errors(samples):
     ):
         with pytest.raises(oncard.Error, match=message):
             call()
+
+
+def test_packages_that_are_missing_are_named(samples):
+    script = """
+import sys
+sys.modules["numpy"] = sys.modules["tomli_w"] = sys.modules["pandas"] = None
+import oncard
+for call in (lambda: oncard.run("10_trap/trap.toml", trace=True).trace,
+             lambda: oncard.run({"program": "a.c"})):
+    try:
+        call()
+    except oncard.Error as error:
+        print(error.message_en)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.stdout == (
+        "traces need numpy: apt-get install python3-numpy\n"
+        "scenarios as dicts need tomli-w: apt-get install python3-tomli-w\n"
+    ), done.stderr
 
 
 # --- Threads -------------------------------------------------------------------------------------
