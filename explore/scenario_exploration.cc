@@ -117,6 +117,13 @@ ExploreOptions OptionsOf(const runtime::ExploreWish& wish) {
   return options;
 }
 
+bool ChecksSomething(const runtime::Scenario& scenario) {
+  if (!scenario.expectations.empty() || !RequirementsOf(scenario).empty()) return true;
+  // An exploration also looks for data races, and a failure that is expected is a requirement.
+  return scenario.explore && (scenario.races != runtime::Scenario{}.races ||
+                              scenario.explore->verdict == VerdictName(Verdict::kFailed));
+}
+
 bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
   const auto calls = [](const vm::Function& function) {
     return std::ranges::any_of(function.instructions, [](const vm::Instruction& instruction) {

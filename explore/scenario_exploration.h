@@ -16,6 +16,10 @@ namespace oncard::explore {
 /// The options given by the scenario's key `explore`; the rest is unchanged.
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 
+/// True if a test of the scenario can fail for another reason than that its threads do not end
+/// well.
+bool ChecksSomething(const runtime::Scenario& scenario);
+
 /// True if time or the card matters: the program calls GT commands, a thread is periodic, the
 /// scenario ends at an instant, or an expectation has one.
 bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);

@@ -7,7 +7,6 @@
 #include "explore/scenario_exploration.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
-#include "runtime/scenario/file/requirement.h"
 #include "runtime/scenario/run/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/file_patterns.h"
@@ -73,15 +72,6 @@ struct Testing {
   const std::string& scratch;  ///< a folder for all tests; empty: none could be made
   int jobs = 1;                ///< tests that run at a time
 };
-
-/// True if the test can fail for another reason than that its threads do not end well.
-bool ChecksSomething(const runtime::Scenario& scenario) {
-  if (!scenario.expectations.empty() || !runtime::RequirementsOf(scenario).empty()) return true;
-  // An exploration also looks for data races, and a failure that is expected is a requirement.
-  return scenario.explore &&
-         (scenario.races != runtime::Scenario{}.races ||
-          scenario.explore->verdict == explore::VerdictName(explore::Verdict::kFailed));
-}
 
 /// True if the search was cut short, so that its verdict says nothing of what was asked.
 bool ReportCutSearch(const SearchWatch& watch, double limit_s, explore::Verdict verdict,
@@ -242,7 +232,7 @@ TestOutcome RunTest(TestOutcome outcome, const std::string& scratch, const Testi
         explore::DescribeUnusedComments(scenario.value(), load.compilation->files[0].text());
     if (unused) outcome.warnings.push_back(*unused);
   }
-  if (!ChecksSomething(scenario.value())) {
+  if (!explore::ChecksSomething(scenario.value())) {
     outcome.nothing = {"checks nothing: it has no expectation and no requirement",
                        "未检查任何内容：既没有期望也没有要求"};
   }
