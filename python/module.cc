@@ -114,7 +114,7 @@ py::dict SourcesOf(const CompiledProgram& program) {
 
 py::tuple TestOf(const std::string& main, const Texts& files) {
   const TestKind kind = Checked(KindOfTest({main, files}));
-  return py::make_tuple(TextOf(kind.name), TextOf(kind.verdict));
+  return py::make_tuple(TextOf(kind.name), TextOf(kind.verdict), kind.checks);
 }
 
 // --- Runs ----------------------------------------------------------------------------------------

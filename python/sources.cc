@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "explore/scenario_exploration.h"
 #include "explore/source_comments.h"
 #include "tools/project_session.h"
 
@@ -48,8 +49,10 @@ Result<TestKind> KindOfTest(const Source& source) {
       runtime::ParseScenario(text.value(), source.main, runtime::ScenarioUse::kTest);
   if (!scenario.ok()) return scenario.error();
   if (scenario.value().host_program) return TestKind{"host", {}};
-  if (scenario.value().explore) return TestKind{"explore", scenario.value().explore->verdict};
-  return TestKind{"run", {}};
+  const bool checks = explore::ChecksSomething(scenario.value());
+  if (const auto& wish = scenario.value().explore)
+    return TestKind{"explore", wish->verdict, checks};
+  return TestKind{"run", {}, checks};
 }
 
 Result<runtime::CardWarnings> WarningsNamed(const std::vector<std::string>& names) {

@@ -45,6 +45,7 @@ Result<CompiledProgram> Compile(const Source& source);
 struct TestKind {
   std::string_view name;  ///< run, explore, host
   std::string verdict;    ///< explore: what is expected
+  bool checks = true;     ///< run, explore: it expects or requires something
 };
 
 /// Reads a scenario for a test. Those of host programs need not be readable for anything else.

@@ -54,13 +54,19 @@ class ScenarioTest(pytest.Item):
     def runtest(self) -> None:
         # Paths in messages are as short as those of pytest.
         path = os.path.relpath(self.path)
-        kind, verdict = _oncard.test_kind(os.fsencode(path), {})
+        kind, verdict, checks = _oncard.test_kind(os.fsencode(path), {})
         if kind == "host":
             _test_host(path)
         elif kind == "explore":
             _test_schedules(path, verdict)
         else:
             _test_run(path)
+        if not checks:
+            pytest.skip(
+                "未检查任何内容：既没有期望也没有要求"
+                if is_chinese()
+                else "checks nothing: it has no expectation and no requirement"
+            )
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         if isinstance(excinfo.value, (ScenarioFailed, oncard.Error)):

@@ -27,9 +27,11 @@ def run(pytester, *arguments):
 def test_each_scenario_is_a_test(pytester, project):
     (project / "good.toml").write_text('program = "sum.c"\nexpect = ["sum == 3"]\n')
     (project / "bad.toml").write_text('program = "sum.c"\nexpect = ["sum == 4"]\n')
+    (project / "idle.toml").write_text('program = "sum.c"\n')
     pytester.makefile(".toml", other='[tool]\nname = "no scenario"\n')
-    result = run(pytester)
-    result.assert_outcomes(passed=1, failed=1)
+    result = run(pytester, "-rs")
+    result.assert_outcomes(passed=1, failed=1, skipped=1)
+    result.stdout.fnmatch_lines(["*checks nothing: it has no expectation and no requirement*"])
     result.stdout.fnmatch_lines(["*sum == 4: sum is 3*"])
     assert "Traceback" not in result.stdout.str()
 
