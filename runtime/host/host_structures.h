@@ -48,8 +48,8 @@ T FromCell(double value) {
   }
 }
 
-/// Bytes of a `long` of the header: those of the compiler's, or 4 in a library for declarations that
-/// were written for Windows.
+/// Bytes of a `long` of the header: those of the compiler's, or 4 in a library for declarations
+/// that were written for Windows.
 size_t LongSize();
 
 /// Reads the scalars of the structure at `host`; `cells` has CellCount() elements.
