@@ -1,6 +1,4 @@
 // Waits of the host for handles and messages, and what ends them, in virtual time.
-#include <array>
-
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_imports_windows.h"
 #include "runtime/host/host_interrupts.h"

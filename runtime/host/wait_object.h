@@ -2,7 +2,7 @@
 // In virtual time a thread that waits lets time go on, as one that sleeps (virtual_time.h); with
 // the real clock it looks at the cards that may interrupt the host by itself (host_interrupts.h).
 //
-// A host knows an object by its handle, which is checked at every use. Thread-safe.
+// A host knows an object by its handle, which is checked at every use. Thread-safe. Linux only.
 // Tested by tests/families/toy_family_test.cc and tests/families/gt400/gt400_family_test.cc.
 #pragma once
 
