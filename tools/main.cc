@@ -1,5 +1,6 @@
 // The oncard command: reads language and colour first, because the help texts depend on them; CLI11
-// does the rest. CLI11 reports errors by exceptions, which are caught here.
+// does the rest. CLI11 reports errors by exceptions, which are caught here (system_wasi.cc:
+// reported where they are thrown).
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -11,9 +12,18 @@
 #include "tools/commands.h"
 #include "tools/out_of_memory.h"
 #include "tools/terminal.h"
+#include "tools/thrown.h"
 
 namespace oncard::tools {
 namespace {
+
+struct CommandLine {
+  Invocation invocation;
+  CLI::App app;
+};
+
+/// The one that is executed.
+CommandLine* executed = nullptr;
 
 // The value of `--name=value` or `--name value`; the last one counts.
 std::optional<std::string_view> OptionValue(std::span<char*> arguments, std::string_view name) {
@@ -114,7 +124,9 @@ int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Invoc
 
 int Main(int argc, char** argv) {
   const std::span<char*> arguments(argv, static_cast<size_t>(argc));
-  Invocation invocation;
+  static CommandLine line;
+  executed = &line;
+  Invocation& invocation = line.invocation;
   const auto language = OptionValue(arguments, "--lang");
   invocation.language = language.has_value()
                             ? (*language == "zh" ? Language::kChinese : Language::kEnglish)
@@ -122,33 +134,44 @@ int Main(int argc, char** argv) {
   invocation.color = UseColor(OptionValue(arguments, "--color").value_or("auto"));
 
   EndWhenOutOfMemory(invocation);
-  CLI::App app;
-  app.name("oncard");
-  DescribeApp(app, invocation);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {  // --help and --version
-    app.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    invocation.exit_code = ReportMistake(app, error, invocation);
-  } catch (const std::system_error& error) {
-    invocation.exit_code =
-        Fail(invocation, kExitIncomplete,
-             MakeMessage("the system refuses what the command needs, such as another thread: {0}",
-                         "系统拒绝了该命令所需的资源，例如再启动一个线程：{0}", error.what()));
-  }
+  line.app.name("oncard");
+  DescribeApp(line.app, invocation);
+  line.app.parse(argc, argv);
   return FinishOutput(invocation, invocation.exit_code);
 }
 
 }  // namespace
+
+int ReportThrown(const std::exception& thrown) {
+  const auto* const wish = dynamic_cast<const CLI::Success*>(&thrown);
+  const auto* const mistake = dynamic_cast<const CLI::ParseError*>(&thrown);
+  const auto* const refused = dynamic_cast<const std::system_error*>(&thrown);
+  if (wish != nullptr) {  // --help and --version
+    executed->app.exit(*wish);
+    return FinishOutput(executed->invocation, kExitOk);
+  }
+  if (mistake != nullptr) {
+    const int code = ReportMistake(executed->app, *mistake, executed->invocation);
+    return FinishOutput(executed->invocation, code);
+  }
+  if (refused != nullptr) {
+    const int code =
+        Fail(executed->invocation, kExitIncomplete,
+             MakeMessage("the system refuses what the command needs, such as another thread: {0}",
+                         "系统拒绝了该命令所需的资源，例如再启动一个线程：{0}", refused->what()));
+    return FinishOutput(executed->invocation, code);
+  }
+  std::fprintf(stderr, "oncard: internal error: %s\n", thrown.what());
+  return kExitInternal;
+}
+
 }  // namespace oncard::tools
 
 int main(int argc, char** argv) {
   oncard::tools::PrepareStreams();
   try {
     return oncard::tools::Main(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "oncard: internal error: %s\n", error.what());
-    return oncard::tools::kExitInternal;
+  } catch (const std::exception& thrown) {
+    return oncard::tools::ReportThrown(thrown);
   }
 }
