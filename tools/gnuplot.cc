@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/observe/trace_file.h"
 #include "tools/filter.h"
 
 namespace oncard::tools {
@@ -37,16 +36,6 @@ int WritePicture(const Invocation& invocation, const std::string& path, const st
     return Fail(invocation, kExitInternal, MakeMessage("gnuplot: {0}", "gnuplot：{0}", run->err));
   }
   return WriteOutput(invocation, path, run->out);
-}
-
-std::string CheckPictureName(const std::string& path) {
-  if (path.ends_with(".svg") || path.ends_with(".png")) return {};
-  return "the name must end in .svg or .png";
-}
-
-std::string CheckTraceName(const std::string& path) {
-  if (runtime::IsTraceName(path)) return {};
-  return "the name must end in .vcd, .csv, .json or .gnuplot";
 }
 
 }  // namespace oncard::tools

@@ -169,7 +169,7 @@ void TakeReport(const std::string& path, TestOutcome* outcome) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder() {
+HostTestFolder::HostTestFolder() {
   std::error_code error;
   auto folder = fs::temp_directory_path(error);
   // The compiler and the host run in other folders.
@@ -178,7 +178,7 @@ ScratchFolder::ScratchFolder() {
   if (error || ::mkdtemp(path_.data()) == nullptr) path_.clear();
 }
 
-ScratchFolder::~ScratchFolder() {
+HostTestFolder::~HostTestFolder() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove_all(path_, ignored);
 }

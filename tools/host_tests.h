@@ -23,12 +23,12 @@ struct HostTestOptions {
 };
 
 /// A new folder for all tests, removed with the object.
-class ScratchFolder {
+class HostTestFolder {
  public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  HostTestFolder();
+  ~HostTestFolder();
+  HostTestFolder(const HostTestFolder&) = delete;
+  HostTestFolder& operator=(const HostTestFolder&) = delete;
 
   /// Empty if there is none.
   const std::string& path() const { return path_; }

@@ -287,7 +287,7 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
   IsolationOptions isolation;
   isolation.jobs = arguments.jobs > 0 ? arguments.jobs : ProcessorCount();
   isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kTimeout);
-  const ScratchFolder scratch;
+  const HostTestFolder scratch;
   const Testing testing = {arguments, invocation, signals, scratch.path(), isolation.jobs};
   const std::vector<TestOutcome> outcomes = RunIsolated(
       ListTests(scenarios.value(), programs.value(), testing), isolation, *signals.stop());
