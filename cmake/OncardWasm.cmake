@@ -5,3 +5,4 @@ include(OncardHeaderOnly)
 target_compile_definitions(nlohmann_json::nlohmann_json INTERFACE JSON_NOEXCEPTION)
 
 target_compile_options(oncard_options INTERFACE -fno-exceptions)
+find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp PATHS /usr/include NO_DEFAULT_PATH REQUIRED)

@@ -3,9 +3,9 @@
 
 namespace oncard::tools {
 
-ScratchFolder::ScratchFolder() = default;
+HostTestFolder::HostTestFolder() = default;
 
-ScratchFolder::~ScratchFolder() = default;
+HostTestFolder::~HostTestFolder() = default;
 
 Message WhyNoHostTests() {
   return {

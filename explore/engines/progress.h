@@ -6,8 +6,16 @@
 
 namespace oncard::explore {
 
+#ifdef __wasi__
+/// Where there are no threads, the work itself calls who watches it; nullptr: nobody.
+inline void (*ask_watcher)() = nullptr;
+#endif
+
 /// True if the work that is given `flag` is to end; nullptr: never.
 inline bool IsTold(const std::atomic<bool>* flag) {
+#ifdef __wasi__
+  if (ask_watcher != nullptr) ask_watcher();
+#endif
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
 
