@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 
-/** Debian packages whose code is in oncard.wasm. */
+/** Debian packages whose code is in the modules. */
 const inModule = [
   "libc++-19-dev-wasm32",
   "libclang-rt-19-dev-wasm32",
@@ -19,9 +19,10 @@ const inModule = [
 /**
  * @param folder to which the paths of the metafile are relative
  * @param metafile of esbuild
+ * @param more Debian packages whose code is in the modules, too
  * @returns one text with the licence of each package of others; it throws where one has none
  */
-export function noticesOf(folder, metafile) {
+export function noticesOf(folder, metafile, more = []) {
   const packages = new Map();
   for (const input of Object.keys(metafile.inputs)) {
     const found = /^(.*\/node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(input)?.[1];
@@ -34,9 +35,9 @@ export function noticesOf(folder, metafile) {
     const text = readFileSync(join(path, file), "utf8").replaceAll("\r\n", "\n").trim();
     return `${name} ${version} (${license})\n\n${text}\n`;
   });
-  for (const name of inModule) {
+  for (const name of [...inModule, ...more].sort()) {
     const text = readFileSync(`/usr/share/doc/${name}/copyright`, "utf8").trim();
-    texts.push(`${name} (in oncard.wasm)\n\n${text}\n`);
+    texts.push(`${name} (in the WebAssembly module)\n\n${text}\n`);
   }
   return texts.join(`\n${"-".repeat(80)}\n\n`);
 }
