@@ -1,10 +1,11 @@
 # Where `cmake --install` and the packages (packages/) put files. The names of the components are those
 # of the packages:
 #
-#   oncard       the command, and what it needs
-#   libgts1      the host libraries of all families; the number is ONCARD_SOVERSION
-#   libgts-dev   what other projects compile and link with: C headers, links, CMake and pkg-config files
-#   oncard-doc   the documentation and the samples
+#   oncard           the command, and what it needs
+#   libgts1          the host libraries of all families; the number is ONCARD_SOVERSION
+#   libgts-dev       what other projects compile and link with: C headers, links, CMake and pkg-config files
+#   oncard-doc       the documentation and the samples
+#   python3-oncard   the package for Python
 include(GNUInstallDirs)
 set(ONCARD_LIBRARY_COMPONENT libgts${ONCARD_SOVERSION})
 

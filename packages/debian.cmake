@@ -79,6 +79,24 @@ oncard_package(oncard-doc ALL SECTION doc
 Tutorials, guides and references in English and Chinese, as Markdown, and\n\
 samples with their scenarios, in teaching order.")
 
+if(ONCARD_PYTHON)
+  # Its module is for one version of Python, that of the system (python/CMakeLists.txt).
+  set(Python_EXECUTABLE /usr/bin/python3)
+  find_package(Python REQUIRED COMPONENTS Interpreter)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  oncard_package(python3-oncard SECTION python
+    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy, python3-tomli-w"
+    SUGGESTS "oncard-doc, python3-pandas, python3-pytest"
+    SUMMARY "motion programs for Googol motion controllers in Python"
+    DESCRIPTION "\
+Compiles, runs and explores motion programs from Python, and drives their\n\
+runs forward and back. Traces are arrays of numpy, and scenarios can be\n\
+tests of pytest.")
+  # Python's compiled files come and go with the package.
+  set(CPACK_DEBIAN_PYTHON3-ONCARD_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_SOURCE_DIR}/python3/postinst ${CMAKE_CURRENT_SOURCE_DIR}/python3/prerm)
+endif()
+
 # The documentation, in the folders of the sources, so that its links lead somewhere. Only what git
 # knows: runs leave files beside samples.
 execute_process(

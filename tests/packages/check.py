@@ -50,12 +50,15 @@ class Package:
         return sorted(names)
 
 
+# Its Python cannot be had everywhere.
+OPTIONAL = {"python3-oncard"}
 PACKAGES = {package.name: package for package in map(Package, sorted(FOLDER.glob("*.deb")))}
 
 
 class Packages(unittest.TestCase):
     def test_there_is_one_for_each_list(self):
-        self.assertEqual(sorted(PACKAGES), sorted(path.stem for path in HERE.glob("contents/*.txt")))
+        lists = {path.stem for path in HERE.glob("contents/*.txt")}
+        self.assertEqual(set(PACKAGES) | OPTIONAL, lists)
 
     def test_hold_the_files_of_their_lists(self):
         for name, package in PACKAGES.items():
@@ -64,11 +67,12 @@ class Packages(unittest.TestCase):
             with self.subTest(package=name):
                 self.assertEqual(files, expected)
 
-    def test_run_no_scripts_when_they_are_installed(self):
+    def test_run_scripts_only_for_what_python_compiles(self):
         for name, package in PACKAGES.items():
             with self.subTest(package=name):
                 control = {path.name for path in (package.root / "DEBIAN").iterdir()}
-                self.assertEqual(control & {"preinst", "postinst", "prerm", "postrm"}, set())
+                scripts = {"postinst", "prerm"} if name == "python3-oncard" else set()
+                self.assertEqual(control & {"preinst", "postinst", "prerm", "postrm"}, scripts)
 
     def test_have_one_version_and_need_each_other_in_it(self):
         (version,) = {package.field("Version") for package in PACKAGES.values()}
@@ -80,6 +84,21 @@ class Packages(unittest.TestCase):
             packages = {each.split(" ")[0] for each in PACKAGES[name].field("Depends").split(", ")}
             with self.subTest(package=name):
                 self.assertLessEqual({"libc6", "libstdc++6", "libfmt9", "libxxhash0"}, packages)
+
+    def test_python_is_the_one_of_the_module(self):
+        if "python3-oncard" not in PACKAGES:
+            self.skipTest("there is no python3-oncard: its packages cannot be had here")
+        package = PACKAGES["python3-oncard"]
+        (minor,) = re.findall(r"_oncard\.cpython-3(\d+)-", "\n".join(package.files()))
+        depends = package.field("Depends").split(", ")
+        self.assertIn(f"python3 (>= 3.{minor})", depends)
+        self.assertIn(f"python3 (<< 3.{int(minor) + 1})", depends)
+
+    def test_descriptions_are_sentences_to_their_end(self):
+        for name, package in PACKAGES.items():
+            control = (package.root / "DEBIAN" / "control").read_text()
+            with self.subTest(package=name):
+                self.assertRegex(control, r"Description: .*\n( .*\n)* .*\.\n(?! )")
 
     def test_programs_name_no_folders_of_libraries(self):
         for package in PACKAGES.values():
