@@ -22,15 +22,40 @@ if(CMAKE_SIZEOF_VOID_P EQUAL 4)
   target_compile_options(oncard_options INTERFACE -msse2 -mfpmath=sse -mstackrealign)
 endif()
 
-# oncard_windows_library(name): <name>.dll of a family, for which oncard_family() has made the rest.
-function(oncard_windows_library name)
+# For the import libraries of Visual C++.
+find_program(ONCARD_LLVM_DLLTOOL NAMES llvm-dlltool-19 llvm-dlltool REQUIRED)
+
+# oncard_windows_library(name family generator part): <family>.dll, for which oncard_family() has made the
+# rest. It exports what the generator lists, and nothing else. `part` is empty, or multi- for a library
+# whose plain names have a card number; that one is in the folder multi. Beside each library are its
+# import libraries: <family>.lib for Visual C++, lib<family>.a for mingw. In 32 bits names are exported
+# without decoration, and the import libraries know it.
+function(oncard_windows_library name family generator part)
   set(host_dir ${PROJECT_SOURCE_DIR}/runtime/host)
-  add_library(${name} SHARED ${host_dir}/host_hooks.cc ${host_dir}/host_life_windows.cc)
+  if(CMAKE_SIZEOF_VOID_P EQUAL 4)
+    set(exports ${part}exports-x86)
+    set(machine i386)
+  else()
+    set(exports ${part}exports-x64)
+    set(machine i386:x86-64)
+  endif()
+  set(definition ${CMAKE_CURRENT_BINARY_DIR}/${name}.def)
+  oncard_interface_file(${family} ${generator} ${exports} ${definition})
+  add_library(${name} SHARED ${host_dir}/host_hooks.cc ${host_dir}/host_life_windows.cc ${definition})
   add_library(oncard::${name} ALIAS ${name})
-  set_target_properties(${name} PROPERTIES PREFIX "" UNITY_BUILD OFF)
-  # Neither its symbols, nor what static libraries in it would export.
-  target_link_options(${name} PRIVATE -s LINKER:--exclude-libs,ALL)
+  set_target_properties(${name} PROPERTIES PREFIX "" OUTPUT_NAME ${family} UNITY_BUILD OFF)
+  if(part)
+    set_target_properties(${name} PROPERTIES
+      ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/multi
+      RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/multi)
+  endif()
+  target_link_options(${name} PRIVATE -s LINKER:--kill-at)  # without its symbols
   target_link_libraries(${name}
-    PRIVATE oncard_options oncard_${name}_entry_points
-    INTERFACE oncard::${name}_interface)
+    PRIVATE oncard_options oncard_${family}_entry_points
+    INTERFACE oncard::${family}_interface)
+  set(folder $<TARGET_FILE_DIR:${name}>)
+  add_custom_command(TARGET ${name} POST_BUILD
+    COMMAND ${ONCARD_LLVM_DLLTOOL} -m ${machine} -k -d ${definition} -l ${folder}/${family}.lib
+    COMMAND ${CMAKE_DLLTOOL} -k -d ${definition} -l ${folder}/lib${family}.a
+    VERBATIM)
 endfunction()
