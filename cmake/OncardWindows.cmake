@@ -43,17 +43,18 @@ function(oncard_windows_library name family generator part)
   oncard_interface_file(${family} ${generator} ${exports} ${definition})
   add_library(${name} SHARED ${host_dir}/host_hooks.cc ${host_dir}/host_life_windows.cc ${definition})
   add_library(oncard::${name} ALIAS ${name})
-  set_target_properties(${name} PROPERTIES PREFIX "" OUTPUT_NAME ${family} UNITY_BUILD OFF)
+  set(folder ${PROJECT_BINARY_DIR}/bin)
   if(part)
-    set_target_properties(${name} PROPERTIES
-      ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/multi
-      RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/multi)
+    set(folder ${PROJECT_BINARY_DIR}/multi)
   endif()
+  # The linker's import library, which does not know decorated names, makes way for that of dlltool.
+  set_target_properties(${name} PROPERTIES PREFIX "" IMPORT_PREFIX lib IMPORT_SUFFIX .a
+    OUTPUT_NAME ${family} UNITY_BUILD OFF
+    ARCHIVE_OUTPUT_DIRECTORY ${folder} RUNTIME_OUTPUT_DIRECTORY ${folder})
   target_link_options(${name} PRIVATE -s LINKER:--kill-at)  # without its symbols
   target_link_libraries(${name}
     PRIVATE oncard_options oncard_${family}_entry_points
     INTERFACE oncard::${family}_interface)
-  set(folder $<TARGET_FILE_DIR:${name}>)
   add_custom_command(TARGET ${name} POST_BUILD
     COMMAND ${ONCARD_LLVM_DLLTOOL} -m ${machine} -k -d ${definition} -l ${folder}/${family}.lib
     COMMAND ${CMAKE_DLLTOOL} -k -d ${definition} -l ${folder}/lib${family}.a

@@ -13,7 +13,7 @@ cp "$WINDOWS/bin/gts.dll" .
 # host SOURCE: host.exe
 host() {
   "$MINGW-gcc-posix" -std=gnu99 -I"$WINDOWS/include" -I"$root/tests/runtime/clients" -I"$root/samples" "$1" \
-    gts.dll -o host.exe
+    "-L$WINDOWS/bin" -lgts -o host.exe
 }
 
 # expect CODE TEXT COMMAND: ends with this code, and says the text on standard error.

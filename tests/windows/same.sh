@@ -65,7 +65,7 @@ mkdir -p "$folder/spellings"
 echo '#include <windows.h>' >"$folder/spellings/Windows.h"
 build "$folder/windows" "$MINGW-" -posix -static -D__USE_MINGW_ANSI_STDIO=1 -I"$WINDOWS/include" \
   -I"$folder/spellings" "$source" \
-  "$WINDOWS/bin/$library.dll"
+  "-L$WINDOWS/bin" "-l$library"
 ONCARD_TRACE=trace.csv:trace.vcd run "$folder/linux" \
   "$NATIVE/bin/oncard" exec "${exec_options[@]}" -- ./host.exe "$@"
 cp "$WINDOWS/bin/$library.dll" "$folder/windows"
