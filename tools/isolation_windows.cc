@@ -140,6 +140,8 @@ class IsolatedRuns {
 
 }  // namespace
 
+int ProcessorCount() { return static_cast<int>(std::thread::hardware_concurrency()); }
+
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,
                                      const std::atomic<bool>& stop) {
