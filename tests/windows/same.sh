@@ -34,7 +34,8 @@ build() {
   find "$(dirname "$source")" -maxdepth 1 -type f -exec cp -t "$home" {} +
   local language=gcc standard=-std=gnu99
   case $source in *.cpp) language=g++ standard=-std=c++20 ;; esac
-  "$2$language$3" "$standard" -O1 -I"$root/samples" -I"$root/tests/runtime/clients" "${@:4}" -lm \
+  # Doubles in 64 bits, as on Linux: the registers of the 32-bit processor have 80.
+  "$2$language$3" "$standard" -O1 -msse2 -mfpmath=sse -I"$root/samples" -I"$root/tests/runtime/clients" "${@:4}" -lm \
     -o "$home/host.exe"
 }
 
@@ -60,11 +61,8 @@ mkdir -p "$folder"
 folder=$(realpath "$folder")
 build "$folder/linux" "" "" -I"$NATIVE/include" -I"$NATIVE/include/compat" "$source" \
   "-L$NATIVE/lib" "-l$library" -pthread
-# On Windows the case of a file's name means nothing.
-mkdir -p "$folder/spellings"
-echo '#include <windows.h>' >"$folder/spellings/Windows.h"
 build "$folder/windows" "$MINGW-" -posix -static -D__USE_MINGW_ANSI_STDIO=1 -I"$WINDOWS/include" \
-  -I"$folder/spellings" "$source" \
+  -I"$SPELLINGS" "$source" \
   "-L$WINDOWS/bin" "-l$library"
 ONCARD_TRACE=trace.csv:trace.vcd run "$folder/linux" \
   "$NATIVE/bin/oncard" exec "${exec_options[@]}" -- ./host.exe "$@"
