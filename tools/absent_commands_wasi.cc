@@ -1,53 +1,41 @@
 // Commands that need more of a system than WebAssembly has: each says what to use in its place.
-#include <cstdlib>
-
-#include "tools/commands.h"
+#include "tools/absent_command.h"
 
 namespace oncard::tools {
-namespace {
-
-void AddAbsent(CLI::App& app, Invocation& invocation, const std::string& name,
-               const Message& description, const Message& instead) {
-  const auto refuse = [instead, &invocation] { return Fail(invocation, kExitUsage, instead); };
-  // Before its arguments are read: whatever they are, the message is the same.
-  AddCommand(app, invocation, name, description, refuse)
-      ->preparse_callback(
-          [refuse, &invocation](size_t) { std::exit(FinishOutput(invocation, refuse())); });
-}
-
-}  // namespace
 
 void AddExec(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "exec",
-            {"run a host program in virtual time (not in the oncard of npm)",
-             "以虚拟时间运行主机程序（npm 版 oncard 不含）"},
-            {"'exec' needs an installed oncard: its package on Linux, or gts.dll beside the host "
-             "on Windows",
-             "“exec”需要安装的 oncard：Linux 上安装其软件包，Windows 上把 gts.dll 放在主机程序旁"});
+  AddAbsentCommand(
+      app, invocation, "exec",
+      {"run a host program in virtual time (not in the oncard of npm)",
+       "以虚拟时间运行主机程序（npm 版 oncard 不含）"},
+      {"'exec' needs an installed oncard: its package on Linux, or gts.dll beside the host "
+       "on Windows",
+       "“exec”需要安装的 oncard：Linux 上安装其软件包，Windows 上把 gts.dll 放在主机程序旁"});
 }
 
 void AddServe(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "serve",
-            {"show the playground on this computer (not in the oncard of npm)",
-             "在本机显示练习页面（npm 版 oncard 不含）"},
-            {"'serve' needs an installed oncard; the playground also runs as a page without it: "
-             "docs/playground.md",
-             "“serve”需要安装的 oncard；练习页面也可不经它单独使用：docs/playground.md"});
+  AddAbsentCommand(
+      app, invocation, "serve",
+      {"show the playground on this computer (not in the oncard of npm)",
+       "在本机显示练习页面（npm 版 oncard 不含）"},
+      {"'serve' needs an installed oncard; the playground also runs as a page without it: "
+       "docs/playground.md",
+       "“serve”需要安装的 oncard；练习页面也可不经它单独使用：docs/playground.md"});
 }
 
 void AddEni(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "eni",
-            {"write the ENI file of a scenario (not in the oncard of npm)",
-             "输出场景的 ENI 文件（npm 版 oncard 不含）"},
-            {"'eni' needs an installed oncard", "“eni”需要安装的 oncard"});
+  AddAbsentCommand(app, invocation, "eni",
+                   {"write the ENI file of a scenario (not in the oncard of npm)",
+                    "输出场景的 ENI 文件（npm 版 oncard 不含）"},
+                   {"'eni' needs an installed oncard", "“eni”需要安装的 oncard"});
 }
 
 void AddDoctor(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "doctor",
-            {"show the capabilities of a build (not in the oncard of npm)",
-             "显示本构建的能力（npm 版 oncard 不含）"},
-            {"'doctor' needs an installed oncard; --version says which one this is",
-             "“doctor”需要安装的 oncard；版本可用 --version 查看"});
+  AddAbsentCommand(app, invocation, "doctor",
+                   {"show the capabilities of a build (not in the oncard of npm)",
+                    "显示本构建的能力（npm 版 oncard 不含）"},
+                   {"'doctor' needs an installed oncard; --version says which one this is",
+                    "“doctor”需要安装的 oncard；版本可用 --version 查看"});
 }
 
 }  // namespace oncard::tools

@@ -1,29 +1,16 @@
 // In place of exec_command.cc and serve_command.cc on Windows: what is there instead.
-#include <memory>
-
-#include "tools/commands.h"
+#include "tools/absent_command.h"
 
 namespace oncard::tools {
 namespace {
 
-void AddAbsent(CLI::App& app, Invocation& invocation, const std::string& name,
-               const Message& instead) {
-  // The action keeps what the option writes to.
-  const auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      AddCommand(app, invocation, name, {"(not on Windows)", "（Windows 上没有）"},
-                 [words, &invocation, instead] { return Fail(invocation, kExitUsage, instead); });
-  // The answer to any arguments is what to use instead.
-  command->add_option("arguments", *words)->group("");
-  command->fallthrough(false);
-  command->allow_extras();
-}
+Message NotOnWindows() { return {"(not on Windows)", "（Windows 上没有）"}; }
 
 }  // namespace
 
 void AddExec(CLI::App& app, Invocation& invocation) {
-  AddAbsent(
-      app, invocation, "exec",
+  AddAbsentCommand(
+      app, invocation, "exec", NotOnWindows(),
       {"there is no 'exec' on Windows: put gts.dll beside the host, set ONCARD_SCENARIO to the "
        "scenario, and ONCARD_CLOCK, ONCARD_TRACE and others as needed, and start the host",
        "Windows 上没有“exec”：请将 gts.dll 放在主机程序旁，用 ONCARD_SCENARIO 给出场景，按需设置 "
@@ -31,11 +18,12 @@ void AddExec(CLI::App& app, Invocation& invocation) {
 }
 
 void AddServe(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "serve",
-            {"there is no 'serve' on Windows: use the playground with its own engine, or 'oncard "
-             "serve' on a computer with Linux, such as WSL",
-             "Windows 上没有“serve”：请使用自带引擎的练习页面，或在 Linux（例如 WSL）上运行“oncard "
-             "serve”"});
+  AddAbsentCommand(
+      app, invocation, "serve", NotOnWindows(),
+      {"there is no 'serve' on Windows: use the playground with its own engine, or 'oncard "
+       "serve' on a computer with Linux, such as WSL",
+       "Windows 上没有“serve”：请使用自带引擎的练习页面，或在 Linux（例如 WSL）上运行“oncard "
+       "serve”"});
 }
 
 }  // namespace oncard::tools

@@ -8,6 +8,7 @@ set(sources
   ${PROJECT_SOURCE_DIR}/base/files.cc
   ${PROJECT_SOURCE_DIR}/explore/host_exploration.cc
   ${PROJECT_SOURCE_DIR}/runtime/host/call_log.cc
+  absent_command.cc
   absent_commands_wasi.cc
   app.cc
   build_command.cc
