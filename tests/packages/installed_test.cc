@@ -99,12 +99,15 @@ TEST_F(Installed, IsFoundByPkgConfig) {
             ONCARD_VERSION "\n" ONCARD_VERSION "\n");
 }
 
-// Those of C++ are oncard's own, and change with every version.
-TEST_F(Installed, HasTheHeadersOfCOnly) {
+// Declarations of hosts, in C and C#. Headers of C++ are oncard's own, and change with every
+// version.
+TEST_F(Installed, HasTheDeclarationsOfHostsOnly) {
   EXPECT_THAT(FilesIn("include"), testing::UnorderedElementsAreArray({"GT400.H",
                                                                       "GT400.h",
                                                                       "GTDLL.h",
                                                                       "Gt400.h",
+                                                                      "Gts.cs",
+                                                                      "GtsMulti.cs",
                                                                       "LookAheadEx.h",
                                                                       "gep.h",
                                                                       "ges.h",
