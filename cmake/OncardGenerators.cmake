@@ -53,3 +53,20 @@ function(oncard_bison target source)
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS
     "-Wno-conversion;-Wno-unused-but-set-variable")
 endfunction()
+
+# oncard_texts(target name.inc file ...): name.inc, which sources of the target can include, has a row
+# for each file: {"its name", R"text(its bytes)text"},
+function(oncard_texts target name)
+  set(files ${ARGN})
+  list(TRANSFORM files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  set(script ${PROJECT_SOURCE_DIR}/cmake/texts.cmake)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D "TEXTS=${files}" -P ${script}
+    DEPENDS ${files} ${script}
+    VERBATIM)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  get_filename_component(stem ${name} NAME_WE)
+  oncard_generated_sources(${target} ${stem} ${output})
+endfunction()
