@@ -159,6 +159,7 @@ void DescribeApp(CLI::App& app, Invocation& invocation) {
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""));
   app.require_subcommand(1);
+  AddNew(app, invocation);
   AddBuild(app, invocation);
   AddCheck(app, invocation);
   AddLower(app, invocation);

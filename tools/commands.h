@@ -17,6 +17,7 @@ namespace oncard::tools {
 /// its language chooses the language of the help.
 void DescribeApp(CLI::App& app, Invocation& invocation);
 
+void AddNew(CLI::App& app, Invocation& invocation);
 void AddBuild(CLI::App& app, Invocation& invocation);
 void AddCheck(CLI::App& app, Invocation& invocation);
 void AddLower(CLI::App& app, Invocation& invocation);

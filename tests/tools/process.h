@@ -11,8 +11,8 @@ namespace oncard::tools {
 
 /// All commands of oncard.
 inline constexpr const char* kCommands[] = {
-    "build",  "check", "lower",   "explain", "run",    "test", "replay", "dump",
-    "verify", "exec",  "explore", "doctor",  "schema", "eni",  "debug",  "serve"};
+    "build", "check",   "lower",  "explain", "run", "test",  "replay", "dump", "verify",
+    "exec",  "explore", "doctor", "schema",  "eni", "debug", "serve",  "new"};
 
 inline const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
 /// The first sample, which adds numbers.

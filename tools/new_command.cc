@@ -1,0 +1,175 @@
+// oncard new: a folder with a motion program, its scenario and all that tests them. The files are
+// those of tools/new. Tested by tests/tools/new_command_test.cc.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "base/files.h"
+#include "base/path_bytes.h"
+#include "runtime/scenario/file/scenario_schema.h"
+#include "tools/commands.h"
+#include "tools/new_templates.h"
+
+namespace oncard::tools {
+namespace {
+
+/// The names of files made of it stay far below the 255 bytes that file systems allow.
+constexpr size_t kLongestName = 64;
+
+/// A file of a project, and the template of which it is made.
+struct ProjectFile {
+  std::string_view path;
+  std::string_view origin;  ///< in tools/new; in Chinese NAME.zh-CN.md in place of NAME.md
+};
+
+constexpr std::array kProjectFiles = {
+    ProjectFile{"@NAME@.c", "program.c"},
+    ProjectFile{"@NAME@.toml", "scenario.toml"},
+    ProjectFile{"test.sh", "test.sh"},
+    ProjectFile{"README.md", "project.md"},
+    ProjectFile{"Dockerfile", "Dockerfile"},
+    ProjectFile{"packages/install.sh", "install.sh"},
+    ProjectFile{".github/workflows/test.yml", "github.yml"},
+    ProjectFile{".gitlab-ci.yml", "gitlab.yml"},
+    ProjectFile{".gitignore", "gitignore"},
+    ProjectFile{".vscode/settings.json", "vscode_settings.json"},
+};
+
+struct FileText {
+  std::string path;
+  std::string text;
+};
+
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Names of devices, which no file or folder of Windows can have, whatever its ending.
+bool IsDeviceOfWindows(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (name == "con" || name == "prn" || name == "aux" || name == "nul") return true;
+  return name.size() == 4 && (name.starts_with("com") || name.starts_with("lpt")) &&
+         IsDigit(name[3]);
+}
+
+/// Why files, folders and projects cannot be called so.
+std::optional<Message> RefusalOf(const std::string& name) {
+  const bool is_name = !name.empty() && IsLetter(name[0]) && std::ranges::all_of(name, [](char c) {
+    return IsLetter(c) || IsDigit(c) || c == '_';
+  });
+  if (!is_name) {
+    return MakeMessage(
+        "'{0}' cannot be the name of a project: use letters, digits and _, and begin with a letter",
+        "“{0}”不能作为项目名称：请使用字母、数字和 _，并以字母开头", name);
+  }
+  if (name.size() > kLongestName) {
+    return MakeMessage("the name of the project has {0} characters: use at most {1}",
+                       "项目名称有 {0} 个字符：最多 {1} 个", name.size(), kLongestName);
+  }
+  if (IsDeviceOfWindows(name)) {
+    return MakeMessage(
+        "'{0}' cannot be the name of a project: Windows has a device of this name; use another one",
+        "“{0}”不能作为项目名称：它是 Windows 的设备名；请换一个名称", name);
+  }
+  return std::nullopt;
+}
+
+void Replace(std::string_view placeholder, std::string_view value, std::string* text) {
+  for (size_t at = text->find(placeholder); at != std::string::npos;
+       at = text->find(placeholder, at + value.size())) {
+    text->replace(at, placeholder.size(), value);
+  }
+}
+
+std::string Filled(std::string_view text, const std::string& name) {
+  std::string filled(text);
+  Replace("@NAME@", name, &filled);
+  return filled;
+}
+
+/// The text of a template; every row of kProjectFiles has one.
+std::string_view TextOf(std::string_view origin, Language language) {
+  std::string name(origin);
+  if (language == Language::kChinese && name.ends_with(".md")) {
+    name.insert(name.size() - 3, ".zh-CN");
+  }
+  const auto templates = NewTemplates();
+  const auto found = std::ranges::find(templates, name, &NewTemplate::name);
+  return found == templates.end() ? std::string_view() : found->text;
+}
+
+/// The files of a project, with the folder in front.
+std::vector<FileText> FilesOf(const std::string& name, Language language) {
+  std::vector<FileText> files;
+  for (const ProjectFile& row : kProjectFiles) {
+    files.push_back(
+        {name + '/' + Filled(row.path, name), Filled(TextOf(row.origin, language), name)});
+  }
+  files.push_back({name + "/.vscode/scenario.schema.json", runtime::ScenarioSchema(language)});
+  return files;
+}
+
+/// Makes the folder of a file, and those around it.
+Result<void> MakeFolderOf(const std::string& path) {
+  const std::string folder = path.substr(0, path.rfind('/'));
+  std::error_code error;
+  std::filesystem::create_directories(PathOf(folder), error);
+  if (!error) return {};
+  return MakeError(1, "cannot make the folder '{0}': {1}", "无法创建文件夹“{0}”：{1}", folder,
+                   error.message());
+}
+
+/// Writes all files, or none: what is there already stops it, and a failure removes what it has
+/// written. Returns the exit code.
+int WriteFiles(const Invocation& invocation, const std::vector<FileText>& files) {
+  for (const FileText& file : files) {
+    if (!FileExists(file.path)) continue;
+    return Fail(invocation, kExitUnreadable,
+                MakeMessage("'{0}' exists already; nothing was written: choose another name, or "
+                            "move it away",
+                            "“{0}”已存在；没有写入任何文件：请换一个名称，或将其移走", file.path));
+  }
+  for (size_t i = 0; i < files.size(); ++i) {
+    auto written = MakeFolderOf(files[i].path);
+    if (written.ok()) written = WriteFileAtomically(files[i].path, files[i].text);
+    if (written.ok()) continue;
+    for (size_t before = 0; before < i; ++before) {
+      std::error_code ignored;
+      std::filesystem::remove(PathOf(files[before].path), ignored);
+    }
+    return Fail(invocation, kExitUnreadable, written.error().message);
+  }
+  return kExitOk;
+}
+
+int MakeProject(const std::string& name, const Invocation& invocation) {
+  if (const auto refusal = RefusalOf(name)) return Fail(invocation, kExitUsage, *refusal);
+  const int code = WriteFiles(invocation, FilesOf(name, invocation.language));
+  if (code != kExitOk) return code;
+  PrintResult(invocation.Say(
+      MakeMessage("{0}: begin with 'cd {0}' and 'oncard test .'; README.md says the rest\n",
+                  "{0}：先执行“cd {0}”和“oncard test .”；其余见 README.md\n", name)));
+  return kExitOk;
+}
+
+}  // namespace
+
+void AddNew(CLI::App& app, Invocation& invocation) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* command =
+      AddCommand(app, invocation, "new",
+                 {"make a project: a program, its scenario, CI and a container that test it",
+                  "新建项目：程序、场景，以及测试它们的 CI 和容器"},
+                 [name, &invocation] { return MakeProject(*name, invocation); });
+  command
+      ->add_option("name", *name,
+                   invocation.Say({"the project and its folder: letters, digits and _",
+                                   "项目及其文件夹的名称：字母、数字和 _"}))
+      ->required()
+      ->type_name("NAME");
+}
+
+}  // namespace oncard::tools
