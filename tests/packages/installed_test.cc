@@ -82,6 +82,19 @@ TEST_F(Installed, IsFoundByCMake) {
   RunHosts("build");
 }
 
+TEST_F(Installed, IsFoundByNewProjects) {
+  const std::string oncard = prefix() + "/bin/oncard";
+  for (const std::string language : {"c", "cpp"}) {
+    const std::string name = "in_" + language;
+    Run({oncard, "new", name, "--host", language});
+    Run({"cmake", "-S", name, "-B", name + "/build", "-DCMAKE_PREFIX_PATH=" + prefix()});
+    Run({"cmake", "--build", name + "/build"});
+    EXPECT_THAT(Run({oncard, "exec", "--", name + "/build/" + name + "_host"}),
+                HasSubstr("at 50000"));
+    EXPECT_THAT(Run({oncard, "test", name}), HasSubstr("2 passed"));
+  }
+}
+
 TEST_F(Installed, HasAVersionForCMake) {
   const ProcessResult result =
       RunProgram({"cmake", "-S", "project", "-B", "build", "-G", "Ninja",

@@ -43,31 +43,91 @@ const std::vector<std::string> kFilesOfEach = {".github/workflows/test.yml",
                                                "packages/install.sh",
                                                "test.sh"};
 
-TEST(New, HasAllFilesAndNoPlaceholderLeft) {
+struct NewKind {
+  const char* host;  ///< empty: none
+  std::vector<std::string> files;
+  const char* installs;  ///< with the packages of oncard
+};
+
+class NewKindTest : public testing::TestWithParam<NewKind> {
+ protected:
+  ProcessResult Make(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"new", "drill"};
+    if (GetParam().host[0] != '\0') {
+      arguments.insert(arguments.end(), {"--host", GetParam().host});
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunOncard(arguments, folder_.path());
+  }
+  const ScratchFolder folder_;
+};
+
+TEST_P(NewKindTest, HasTheFilesThatItsReadmeNames) {
+  const ProcessResult made = Make();
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, StartsWith("drill: begin with 'cd drill'"));
+  std::vector<std::string> files = kFilesOfEach;
+  files.insert(files.end(), GetParam().files.begin(), GetParam().files.end());
+  EXPECT_THAT(NewFilesIn(folder_.path() + "/drill"), UnorderedElementsAreArray(files));
+  for (const std::string& name : GetParam().files) {
+    EXPECT_THAT(folder_.Read("drill/README.md"), HasSubstr('`' + name + '`'));
+  }
+}
+
+TEST_P(NewKindTest, HasNoPlaceholderLeft) {
   for (const char* const language : {"--lang=en", "--lang=zh"}) {
     const ScratchFolder folder;
-    const ProcessResult made = RunOncard({"new", "drill", language}, folder.path());
-    EXPECT_EQ(made.exit_code, 0) << made.err;
-    EXPECT_THAT(made.out, HasSubstr("drill"));
-    const std::vector<std::string> files = NewFilesIn(folder.path() + "/drill");
-    EXPECT_THAT(files, UnorderedElementsAreArray(kFilesOfEach));
-    for (const std::string& name : files) {
+    std::vector<std::string> arguments = {"new", "drill", language};
+    if (GetParam().host[0] != '\0') arguments.push_back(std::string("--host=") + GetParam().host);
+    ASSERT_EQ(RunOncard(arguments, folder.path()).exit_code, 0);
+    for (const std::string& name : NewFilesIn(folder.path() + "/drill")) {
+      EXPECT_THAT(name, Not(HasSubstr("@")));
       const std::string text = folder.Read("drill/" + name);
       EXPECT_NE(text, "") << name;
-      EXPECT_THAT(text, Not(HasSubstr("@NAME@"))) << name;
+      for (const char* const word :
+           {"@NAME@", "@HOST@", "@LANGUAGE@", "@PACKAGES@", "@DEBS@", " \n"}) {
+        EXPECT_THAT(text, Not(HasSubstr(word))) << name;
+      }
     }
   }
 }
 
-TEST(New, IsTestedByOneScriptEverywhere) {
-  const ScratchFolder folder;
-  RunOncard({"new", "drill"}, folder.path());
+TEST_P(NewKindTest, InstallsWhatItsTestsNeed) {
+  Make();
+  EXPECT_THAT(folder_.Read("drill/packages/install.sh"),
+              HasSubstr(std::string("./*.deb") + GetParam().installs + '\n'));
+}
+
+TEST_P(NewKindTest, IsTestedByOneScriptEverywhere) {
+  Make();
   for (const char* const name : {"Dockerfile", ".gitlab-ci.yml", ".github/workflows/test.yml"}) {
-    const std::string text = folder.Read(std::string("drill/") + name);
+    const std::string text = folder_.Read(std::string("drill/") + name);
     EXPECT_THAT(text, HasSubstr("packages/install.sh")) << name;
     EXPECT_THAT(text, HasSubstr("test.sh")) << name;
   }
 }
+
+TEST_P(NewKindTest, HasScriptsThatAShellCanRead) {
+  Make();
+  for (const char* const name : {"test.sh", "packages/install.sh"}) {
+    const ProcessResult read = RunProgram({"sh", "-n", folder_.path() + "/drill/" + name});
+    EXPECT_EQ(read.exit_code, 0) << name << read.err;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, NewKindTest,
+    testing::Values(
+        NewKind{"", {}, ""},
+        NewKind{"c",
+                {"CMakeLists.txt", "drill.host.toml", "drill_host.c"},
+                " cmake gcc libc6-dev make"},
+        NewKind{"cpp", {"CMakeLists.txt", "drill.host.toml", "drill_host.cpp"}, " cmake g++ make"},
+        NewKind{"cs", {"drill.host.toml", "drill_host.cs"}, " mono-mcs mono-runtime"},
+        NewKind{"python", {"drive_drill.py", "test_drill.py"}, " python3-pytest"}),
+    [](const auto& kind) {
+      return std::string(kind.param.host[0] == '\0' ? "none" : kind.param.host);
+    });
 
 TEST(New, PassesItsTest) {
   const ScratchFolder folder;
@@ -101,11 +161,11 @@ TEST(New, HasTheSchemaThatItsScenarioNames) {
 
 TEST(New, HasItsReadmeInTheLanguageOfTheCall) {
   const ScratchFolder folder;
-  RunOncard({"new", "english"}, folder.path());
-  const ProcessResult made = RunOncard({"--lang=zh", "new", "chinese"}, folder.path());
+  RunOncard({"new", "english", "--host=c"}, folder.path());
+  const ProcessResult made = RunOncard({"--lang=zh", "new", "chinese", "--host=c"}, folder.path());
   EXPECT_THAT(made.out, StartsWith("chinese：先执行"));
-  EXPECT_THAT(folder.Read("english/README.md"), HasSubstr("\n## CI and container\n"));
-  EXPECT_THAT(folder.Read("chinese/README.md"), HasSubstr("\n## CI 和容器\n"));
+  EXPECT_THAT(folder.Read("english/README.md"), HasSubstr("\n## Host program\n"));
+  EXPECT_THAT(folder.Read("chinese/README.md"), HasSubstr("\n## 主机程序\n"));
 }
 
 // CI tells what is missing before it installs anything. The only programs that the script finds
@@ -136,7 +196,7 @@ TEST(New, SaysThatItsPackagesAreMissing) {
 TEST(New, OverwritesNothing) {
   const ScratchFolder folder;
   folder.Write("drill/test.sh", "mine");
-  const ProcessResult made = RunOncard({"new", "drill"}, folder.path());
+  const ProcessResult made = RunOncard({"new", "drill", "--host=c"}, folder.path());
   EXPECT_EQ(made.exit_code, 3);
   EXPECT_EQ(made.out, "");
   EXPECT_EQ(made.err,
@@ -203,8 +263,16 @@ INSTANTIATE_TEST_SUITE_P(Names, BadNewNameTest,
 TEST(New, TakesTheLongestName) {
   const ScratchFolder folder;
   const std::string name(64, 'a');
-  EXPECT_EQ(RunOncard({"new", name}, folder.path()).exit_code, 0);
-  EXPECT_TRUE(folder.Has(name + "/" + name + ".toml"));
+  EXPECT_EQ(RunOncard({"new", name, "--host=cpp"}, folder.path()).exit_code, 0);
+  EXPECT_TRUE(folder.Has(name + "/" + name + ".host.toml"));
+}
+
+TEST(New, KnowsNoOtherLanguage) {
+  const ScratchFolder folder;
+  const ProcessResult made = RunOncard({"new", "drill", "--host=java"}, folder.path());
+  EXPECT_EQ(made.exit_code, 2);
+  EXPECT_THAT(made.err, HasSubstr("java"));
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -17,4 +17,4 @@ if ! ls ./*.deb > /dev/null 2>&1; then
   exit 1
 fi
 apt-get update
-apt-get install --yes --no-install-recommends ./*.deb
+apt-get install --yes --no-install-recommends ./*.deb @PACKAGES@
