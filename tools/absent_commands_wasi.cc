@@ -13,12 +13,6 @@ void AddExec(CLI::App& app, Invocation& invocation) {
        "“exec”需要安装的 oncard：Linux 上安装其软件包，Windows 上把 gts.dll 放在主机程序旁"});
 }
 
-void AddNew(CLI::App& app, Invocation& invocation) {
-  AddAbsent(app, invocation, "new",
-            {"make a project (not in the oncard of npm)", "新建项目（npm 版 oncard 不含）"},
-            {"'new' needs an installed oncard", "“new”需要安装的 oncard"});
-}
-
 void AddServe(CLI::App& app, Invocation& invocation) {
   AddAbsentCommand(
       app, invocation, "serve",

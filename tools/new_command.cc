@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
+#include <cstdio>
 #include <optional>
-#include <system_error>
 
 #include "base/files.h"
-#include "base/path_bytes.h"
 #include "runtime/scenario/file/scenario_schema.h"
 #include "tools/commands.h"
+#include "tools/folders.h"
 #include "tools/new_templates.h"
 
 namespace oncard::tools {
@@ -176,16 +175,6 @@ std::vector<FileText> FilesOf(const std::string& name, const HostKindInfo& host,
   return files;
 }
 
-/// Makes the folder of a file, and those around it.
-Result<void> MakeFolderOf(const std::string& path) {
-  const std::string folder = path.substr(0, path.rfind('/'));
-  std::error_code error;
-  std::filesystem::create_directories(PathOf(folder), error);
-  if (!error) return {};
-  return MakeError(1, "cannot make the folder '{0}': {1}", "无法创建文件夹“{0}”：{1}", folder,
-                   error.message());
-}
-
 /// Writes all files, or none: what is there already stops it, and a failure removes what it has
 /// written. Returns the exit code.
 int WriteFiles(const Invocation& invocation, const std::vector<FileText>& files) {
@@ -197,13 +186,11 @@ int WriteFiles(const Invocation& invocation, const std::vector<FileText>& files)
                             "“{0}”已存在；没有写入任何文件：请换一个名称，或将其移走", file.path));
   }
   for (size_t i = 0; i < files.size(); ++i) {
-    auto written = MakeFolderOf(files[i].path);
-    if (written.ok()) written = WriteFileAtomically(files[i].path, files[i].text);
+    const std::string& path = files[i].path;
+    auto written = MakeFolders(path.substr(0, path.rfind('/')));
+    if (written.ok()) written = WriteFileAtomically(path, files[i].text);
     if (written.ok()) continue;
-    for (size_t before = 0; before < i; ++before) {
-      std::error_code ignored;
-      std::filesystem::remove(PathOf(files[before].path), ignored);
-    }
+    for (size_t before = 0; before < i; ++before) std::remove(files[before].path.c_str());
     return Fail(invocation, kExitUnreadable, written.error().message);
   }
   return kExitOk;
@@ -211,11 +198,11 @@ int WriteFiles(const Invocation& invocation, const std::vector<FileText>& files)
 
 int MakeProject(const NewOptions& options, const Invocation& invocation) {
   if (const auto refusal = RefusalOf(options.name)) return Fail(invocation, kExitUsage, *refusal);
-  const auto* const host = std::ranges::find(kHostKinds, options.host, &HostKindInfo::option);
-  const int code = WriteFiles(invocation, FilesOf(options.name, *host, invocation.language));
+  const HostKindInfo& host = *std::ranges::find(kHostKinds, options.host, &HostKindInfo::option);
+  const int code = WriteFiles(invocation, FilesOf(options.name, host, invocation.language));
   if (code != kExitOk) return code;
   // Mono runs the host only after it has been compiled.
-  const std::string_view first = host->kind == kHostInCsharp ? "sh test.sh" : "oncard test .";
+  const std::string_view first = host.kind == kHostInCsharp ? "sh test.sh" : "oncard test .";
   PrintResult(invocation.Say(
       MakeMessage("{0}: begin with 'cd {0}' and '{1}'; README.md says the rest\n",
                   "{0}：先执行“cd {0}”和“{1}”；其余见 README.md\n", options.name, first)));

@@ -23,6 +23,7 @@ set(sources
   explore_search.cc
   explore_subject.cc
   file_patterns.cc
+  folders_wasi.cc
   gnuplot_wasi.cc
   host_tests_wasi.cc
   invocation.cc
@@ -30,6 +31,8 @@ set(sources
   lower_command.cc
   main.cc
   memory_use_wasi.cc
+  new_command.cc
+  new_templates.cc
   out_of_memory.cc
   packaging_commands.cc
   packed_outcome.cc
@@ -52,6 +55,7 @@ set(sources
   unnamed_search.cc
   verify_command.cc)
 add_executable(oncard_cli_wasm ${sources})
+oncard_texts(oncard_cli_wasm new_templates.inc ${new_templates})
 # They can throw, but not catch: see system_wasi.cc.
 set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -fexceptions)
 set_target_properties(oncard_cli_wasm PROPERTIES OUTPUT_NAME oncard-cli SUFFIX .wasm UNITY_BUILD OFF)

@@ -9,6 +9,7 @@ import {
   fstatSync,
   fsyncSync,
   lstatSync,
+  mkdirSync,
   openSync,
   readdirSync,
   readSync,
@@ -226,6 +227,10 @@ export function rename(from: string, to: string): void {
   const before = statSync(local(to), { throwIfNoEntry: false });
   if (before?.isFile() === true) chmodSync(local(from), before.mode & 0o777);
   renameSync(local(from), local(to));
+}
+
+export function makeFolder(path: string): void {
+  mkdirSync(local(path));
 }
 
 export function removeFile(path: string): void {

@@ -172,6 +172,10 @@ export class System {
       numberOf(() => {
         files.rename(this.#text(from, size), this.#text(to, n));
       }),
+    path_create_directory: (_folder: number, path: number, size: number) =>
+      numberOf(() => {
+        files.makeFolder(this.#text(path, size));
+      }),
     path_unlink_file: (_folder: number, path: number, size: number) =>
       numberOf(() => {
         files.removeFile(this.#text(path, size));

@@ -132,6 +132,8 @@ describe.skipIf(!existsSync(command))("the package", () => {
     ["test", "01_sum/two_threads.toml", "--program", "0[1-2]*/*.c", "--format=csv"],
     ["test", "01_sum/two_threads.toml", "--program", "none/*.c"],
     ["test", "none"],
+    ["new", "drill", "--host=cpp"],
+    ["new", "a-b"],
     ["chek", "01_sum/sum.c"],
     ["run", "--shwo", "x"],
     [],
@@ -151,6 +153,17 @@ describe.skipIf(!existsSync(command))("the package", () => {
       ["verify", "01_sum/sum.bin"],
     ]) {
       expect(npm(args, at)).toEqual(native(args, at));
+    }
+  });
+
+  test("makes a project, and overwrites nothing", () => {
+    const [one, other] = [folder(), folder()];
+    const args = ["new", "drill", "--host=cs", "--lang=zh"];
+    for (const status of [0, 3]) {
+      const made = npm(args, other);
+      expect(made).toEqual(native(args, one));
+      expect(made.status).toBe(status);
+      expect(contentOf(other)).toEqual(contentOf(one));
     }
   });
 
