@@ -9,6 +9,7 @@ include(OncardHeaderOnly)
 
 # Where a source takes care of a system, the one for Windows ends so.
 set(ONCARD_SYSTEM _windows)
+set(ONCARD_HANDLER_CALL __stdcall)
 
 # The interface of Windows 7, without the parts that define short words as macros. printf() is that
 # of C, not that of the old library of Windows. Unity builds have more sections than the plain format

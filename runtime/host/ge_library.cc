@@ -38,7 +38,8 @@ int16_t OpenAndSelect(ServiceCall& call) {
 
 // --- The handler of commands ---------------------------------------------------------------------
 
-using Handler = void (*)(char* command, short error);
+/// As TCommandHandle of the headers.
+using Handler = void(ONCARD_HANDLER_CALL*)(char* command, short error);
 
 std::atomic<Handler> hooked_handler = nullptr;
 
