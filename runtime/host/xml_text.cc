@@ -66,7 +66,7 @@ class XmlScanner {
       SkipBehind(at_ + kCharacters.size(), "]]>");
     } else if (rest.starts_with(kInstruction)) {
       SkipBehind(at_ + kInstruction.size(), "?>");
-    } else if (rest.starts_with(kDocumentType)) {
+    } else if (IsDocumentType(rest)) {
       SkipDocumentType();
     } else if (rest.starts_with("<!")) {
       SkipBehind(at_, ">");
@@ -82,6 +82,12 @@ class XmlScanner {
   void SkipBehind(size_t begin, std::string_view end) {
     const size_t found = text_.find(end, begin);
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
+  }
+
+  /// Only a blank makes it one: <!DOCTYPE[> is other markup, and its bracket means nothing.
+  static bool IsDocumentType(std::string_view markup) {
+    return markup.starts_with(kDocumentType) && markup.size() > kDocumentType.size() &&
+           kBlanks.find(markup[kDocumentType.size()]) != std::string_view::npos;
   }
 
   /// It has declarations of its own in brackets.

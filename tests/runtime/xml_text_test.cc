@@ -28,7 +28,8 @@ TEST(XmlText, NothingHidesADepth) {
   for (const std::string opens :
        {"<a b='/>'>", "<a b = \"</a>\">", "<a'>", "<a\">", "<a b'='x'>", "<<a>", "<a=/='>'>",
         "<a><!--></a>-->", "<a><!--</a>-->", "<a><![CDATA[</a>]]>", "<a><?</a>?>", "<a><?></a>?>",
-        "<a><!x[>", "<a><!DOCTYPE a [</a>]>", "<a><!DOCTYPE ]a[</a>]>", "<a><b/>", "<a>/>"}) {
+        "<a><!x[>", "<a><!DOCTYPE a [</a>]>", "<a><!DOCTYPE ]a[</a>]>", "<a><!DOCTYPE[>",
+        "<a><!DOCTYPEa[>", "<a><b/>", "<a>/>"}) {
     EXPECT_TRUE(CheckXml(Times(kXmlDepthMax + 1, opens))) << opens;
   }
 }
