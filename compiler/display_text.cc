@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/utf8.h"
 #include "compiler/gbk_decoder.h"
 #include "compiler/text.h"
 
@@ -99,27 +100,6 @@ std::optional<Character> DecodeGbk(GbkDecoder& decoder, std::string_view text, s
   if (offset + 2 > text.size()) return std::nullopt;
   const auto code = decoder.Decode(text[offset], text[offset + 1]);
   return code ? std::optional(Character{2, *code}) : std::nullopt;
-}
-
-void AppendUtf8(std::string& text, char32_t code) {
-  const auto put = [&text](char32_t byte) {
-    text += static_cast<char>(static_cast<uint8_t>(byte));
-  };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xC0 | (code >> 6));
-    put(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    put(0xE0 | (code >> 12));
-    put(0x80 | ((code >> 6) & 0x3F));
-    put(0x80 | (code & 0x3F));
-  } else {
-    put(0xF0 | (code >> 18));
-    put(0x80 | ((code >> 12) & 0x3F));
-    put(0x80 | ((code >> 6) & 0x3F));
-    put(0x80 | (code & 0x3F));
-  }
 }
 
 bool IsShown(char32_t code) { return code >= 0x20 && code != 0x7F && !Contains(kUnsafe, code); }

@@ -3,29 +3,13 @@
 #include <cstdint>
 
 #include "base/limits.h"
+#include "base/utf8.h"
 
 namespace oncard::runtime {
 namespace {
 
 constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
 constexpr std::string_view kBigEndianMark = "\xFE\xFF";
-
-void AppendUtf8(std::string& text, uint32_t code) {
-  const auto put = [&text](uint32_t byte) {
-    text += static_cast<char>(static_cast<uint8_t>(byte));
-  };
-  if (code >= 0xD800 && code <= 0xDFFF) code = 0xFFFD;  // half of a character
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xC0 | (code >> 6));
-    put(0x80 | (code & 0x3F));
-  } else {
-    put(0xE0 | (code >> 12));
-    put(0x80 | ((code >> 6) & 0x3F));
-    put(0x80 | (code & 0x3F));
-  }
-}
 
 constexpr std::string_view kComment = "<!--";
 constexpr std::string_view kCharacters = "<![CDATA[";
@@ -132,9 +116,11 @@ std::string Utf8Of(std::string_view utf16) {
   const bool big = utf16.starts_with(kBigEndianMark);
   std::string text;
   for (size_t i = kBigEndianMark.size(); i + 1 < utf16.size(); i += 2) {
-    const uint32_t first = static_cast<uint8_t>(utf16[i]);
-    const uint32_t second = static_cast<uint8_t>(utf16[i + 1]);
-    AppendUtf8(text, big ? first << 8 | second : second << 8 | first);
+    const char32_t first = static_cast<uint8_t>(utf16[i]);
+    const char32_t second = static_cast<uint8_t>(utf16[i + 1]);
+    const char32_t code = big ? first << 8 | second : second << 8 | first;
+    const bool is_half = code >= 0xD800 && code <= 0xDFFF;
+    AppendUtf8(text, is_half ? U'\uFFFD' : code);
   }
   return text;
 }

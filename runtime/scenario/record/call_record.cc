@@ -12,6 +12,7 @@
 
 #include "base/json_reader.h"
 #include "base/json_text.h"
+#include "base/utf8.h"
 #include "gtcalls/card_elements.h"
 #include "runtime/scenario/run/scenario_card.h"
 
@@ -34,15 +35,7 @@ constexpr int64_t kCardMax = 15;
 std::string TextOfBytes(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size());
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      text += c;
-    } else {
-      text += static_cast<char>(0xC0 | (byte >> 6));
-      text += static_cast<char>(0x80 | (byte & 0x3F));
-    }
-  }
+  for (const char c : bytes) AppendUtf8(text, static_cast<unsigned char>(c));
   return text;
 }
 
