@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/markup.h"
 #include "gtcalls/interface_parts.h"
 
 namespace oncard::gtcalls {
@@ -39,21 +40,6 @@ std::string NameInCsharp(std::string_view name) {
                                          "out",  "override", "params", "ref"};
   const bool is_word = std::ranges::find(kWords, name) != std::end(kWords);
   return fmt::format("{}{}", is_word ? "@" : "", name);
-}
-
-/// A text inside of a comment, which is XML.
-std::string AsXml(std::string_view text) {
-  std::string xml;
-  for (const char c : text) {
-    if (c == '&') {
-      xml += "&amp;";
-    } else if (c == '<') {
-      xml += "&lt;";
-    } else {
-      xml += c;
-    }
-  }
-  return xml;
 }
 
 // --- Structures ----------------------------------------------------------------------------------
@@ -171,13 +157,15 @@ std::vector<std::string> Parameters(const Command& command, const Overload& over
   return words;
 }
 
+/// Comments are XML.
 void AppendSummary(std::string* out, const Command& command) {
-  Append(out, "\n        /// <summary>{} [{}]</summary>\n", AsXml(command.brief),
-         AsXml(command.source));
+  Append(out, "\n        /// <summary>{} [{}]</summary>\n", EscapeMarkup(command.brief),
+         EscapeMarkup(command.source));
   for (const Parameter& parameter : ArgumentsOf(command)) {
     const std::string description = Describe(parameter, command);
     if (description.empty()) continue;
-    Append(out, "        /// <param name=\"{}\">{}</param>\n", parameter.name, AsXml(description));
+    Append(out, "        /// <param name=\"{}\">{}</param>\n", parameter.name,
+           EscapeMarkup(description));
   }
 }
 
