@@ -19,13 +19,15 @@ int64_t Look() {
   return oncard_host_time_ns();
 }
 
-void SleepFor(DWORD milliseconds) {
+/// Nothing but a procedure that is queued for the thread ends an endless sleep.
+DWORD SleepFor(DWORD milliseconds, BOOL alertable) {
   EnrolThread();
   if (milliseconds == INFINITE) {
     const WaitsForOutside waits;
-    ::Sleep(INFINITE);
+    return ::SleepEx(INFINITE, alertable);
   }
   oncard_host_sleep_ns(milliseconds * kNsPerMs);
+  return 0;
 }
 
 FILETIME Calendar(int64_t now_ns) {
@@ -35,13 +37,12 @@ FILETIME Calendar(int64_t now_ns) {
 
 // --- Replacements --------------------------------------------------------------------------------
 
-void WINAPI HostSleep(DWORD milliseconds) { SleepFor(milliseconds); }
+void WINAPI HostSleep(DWORD milliseconds) { SleepFor(milliseconds, FALSE); }
 
-/// Procedures that are queued for the thread run before the sleep.
+/// Procedures that are queued for the thread run before a sleep with an end.
 DWORD WINAPI HostSleepEx(DWORD milliseconds, BOOL alertable) {
   if (alertable != 0 && ::SleepEx(0, TRUE) == WAIT_IO_COMPLETION) return WAIT_IO_COMPLETION;
-  SleepFor(milliseconds);
-  return 0;
+  return SleepFor(milliseconds, alertable);
 }
 
 ULONGLONG WINAPI HostGetTickCount64() { return static_cast<ULONGLONG>(Look() / kNsPerMs); }

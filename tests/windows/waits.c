@@ -134,6 +134,27 @@ static void Conditions(void) {
   WaitForSingleObject(thread, INFINITE);
 }
 
+static void CALLBACK Called(ULONG_PTR argument) { *(int*)argument = 1; }
+
+static unsigned __stdcall SleepUntilCalled(void* argument) {
+  (void)argument;
+  return SleepEx(INFINITE, TRUE);
+}
+
+/* A procedure ends an endless sleep, during which time goes on for others. */
+static void Procedures(void) {
+  const HANDLE thread = Start(SleepUntilCalled);
+  int called = 0;
+  DWORD code = 0;
+  Sleep(100);
+  CHECK_EQ(QueueUserAPC(Called, thread, (ULONG_PTR)&called) != 0, 1);
+  CHECK_EQ(WaitForSingleObject(thread, INFINITE), WAIT_OBJECT_0);
+  CHECK_EQ(called, 1);
+  CHECK_EQ(GetExitCodeThread(thread, &code), TRUE);
+  CHECK_EQ(code, WAIT_IO_COMPLETION);
+  CHECK_EQ(Passed(), 100);
+}
+
 /* What is found by its name is replaced, too. */
 static void Found(void) {
   void(WINAPI * sleep)(DWORD) =
@@ -160,6 +181,8 @@ int main(int argc, char** argv) {
     Locks();
   } else if (strcmp(what, "conditions") == 0) {
     Conditions();
+  } else if (strcmp(what, "procedures") == 0) {
+    Procedures();
   } else if (strcmp(what, "found") == 0) {
     Found();
   } else {
