@@ -65,14 +65,14 @@ void CrdFifo::LeaveLineBack() {
   interruption.Reset();
 }
 
-PathSlot* CrdFifo::Begun() {
+PathSlot* CrdFifo::SegmentInProgress() {
   if (interruption) return interruption->executing ? &interruption->slot : nullptr;
   return executing ? &current : nullptr;
 }
 
 PathSlot* CrdFifo::LastSegment() {
   PathSlot* last = slots.LastSegment();
-  return last != nullptr ? last : Begun();
+  return last != nullptr ? last : SegmentInProgress();
 }
 
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
@@ -235,7 +235,7 @@ void Crd::CloseList(size_t fifo) {
 void Crd::LimitJoints(Micros now) {
   for (CrdFifo& fifo : fifos) {
     SlotQueue& slots = fifo.slots;
-    PathSlot* before = fifo.Begun();
+    PathSlot* before = fifo.SegmentInProgress();
     for (size_t i = 0; i < slots.size(); ++i) {
       LimitJoint(fifo.list, before, slots.At(i));
       before = &slots.At(i);

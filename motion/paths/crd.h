@@ -124,7 +124,7 @@ struct CrdFifo {
   }
   /// The segment that has begun and not ended, also during the line back to it; nullptr if there is
   /// none.
-  PathSlot* Begun();
+  PathSlot* SegmentInProgress();
   /// The segment that ends last, unless it has ended; nullptr if there is none.
   PathSlot* LastSegment();
   size_t space() const { return kCrdFifoSize - slots.size(); }
