@@ -37,15 +37,20 @@ const Cause kCauses[] = {
        card.Do("GT_AbptStp");
      }}};
 
+/// A list to (3000, 3000) that is still open, on its way.
+void StartOpenList(PathTestCard& card) {
+  card.Do("GT_StrtList");
+  card.Do("GT_MvXY", {0, 0, 2, 0.01});
+  card.Do("GT_LnXY", {3000, 3000});
+  card.Do("GT_StrtMtn");
+  card.Run(500);
+}
+
 TEST(GtAutoStop, OfAnyAxisStopsThePathAtOnce) {
   for (const Cause& cause : kCauses) {
     SCOPED_TRACE(cause.name);
     PathTestCard card;
-    card.Do("GT_StrtList");
-    card.Do("GT_MvXY", {0, 0, 2, 0.01});
-    card.Do("GT_LnXY", {3000, 3000});
-    card.Do("GT_StrtMtn");
-    card.Run(500);
+    StartOpenList(card);
     for (int axis = 1; axis <= kAxisMax; ++axis) {
       card.Do("GT_Axis", {static_cast<double>(axis)});
       card.Do("GT_ClrSts");
@@ -73,11 +78,7 @@ TEST(GtAutoStop, OfAnyAxisIsToldOfAPathThatDeceleratesByCommand) {
   for (const Cause& cause : kCauses) {
     SCOPED_TRACE(cause.name);
     PathTestCard card;
-    card.Do("GT_StrtList");
-    card.Do("GT_MvXY", {0, 0, 2, 0.01});
-    card.Do("GT_LnXY", {3000, 3000});
-    card.Do("GT_StrtMtn");
-    card.Run(500);
+    StartOpenList(card);
     card.Do("GT_StpMtn");
     card.Run(50);
     EXPECT_GT(card.Velocity(), 1);
