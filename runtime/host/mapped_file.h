@@ -11,6 +11,9 @@
 // while it is mapped ends the process by SIGBUS, as for every mapped file: so another MappedFile
 // does not open it meanwhile.
 //
+// That is so on Linux. On Windows every text is written by a system call, and nothing has to be cut
+// off.
+//
 // Not thread-safe. Tested by tests/runtime/mapped_file_test.cc.
 #pragma once
 
