@@ -134,6 +134,19 @@ function(oncard_family name)
     INTERFACE $<BUILD_INTERFACE:oncard_${name}_interface>)
 endfunction()
 
+# oncard_family_of_host(result source): the family with whose library a host is linked: that of its header.
+function(oncard_family_of_host result source)
+  file(STRINGS ${source} header REGEX "#include \"(ge[ps]|GT400|userlib).h\"")
+  if(header MATCHES "\"(ge[ps]).h\"")
+    set(family ${CMAKE_MATCH_1})
+  elseif(header)
+    set(family gt400)
+  else()
+    set(family gts)
+  endif()
+  set(${result} ${family} PARENT_SCOPE)
+endfunction()
+
 # oncard_interface_file(family generator what output): a file that a generator writes.
 function(oncard_interface_file family generator what output)
   get_filename_component(folder ${output} DIRECTORY)
