@@ -18,6 +18,8 @@
 # <name>Multi.cs. GENERATOR knows the family, INCLUDE_DIR receives the headers; without them
 # both are those of the project. LONG32_OF makes another library of a family, for declarations that
 # were written for Windows: a `long` has 32 bits in it.
+#
+# The global property ONCARD_HOST_LIBRARIES lists the libraries that have been made.
 
 # The version of the interface of all host libraries. It changes when hosts that were linked before
 # would no longer run: when a function is taken away, or its parameters change (tests/abi). One number
@@ -42,6 +44,7 @@ function(oncard_family name)
     set(family ${ARG_LONG32_OF})
     set(form long32-)
   endif()
+  set_property(GLOBAL APPEND PROPERTY ONCARD_HOST_LIBRARIES ${name})
 
   set(headers)
   foreach(header IN LISTS ARG_HEADER)
