@@ -26,12 +26,12 @@ endif()
 # For the import libraries of Visual C++.
 find_program(ONCARD_LLVM_DLLTOOL NAMES llvm-dlltool-19 llvm-dlltool REQUIRED)
 
-# oncard_windows_library(name family generator part): <family>.dll, for which oncard_family() has made the
-# rest. It exports what the generator lists, and nothing else. `part` is empty, or multi- for a library
-# whose plain names have a card number; that one is in the folder multi. Beside each library are its
-# import libraries: <family>.lib for Visual C++, lib<family>.a for mingw. In 32 bits names are exported
-# without decoration, and the import libraries know it.
-function(oncard_windows_library name family generator part)
+# oncard_windows_library(name family generator part interrupts): <family>.dll, for which oncard_family() has
+# made the rest. It exports what the generator lists, and nothing else. `part` is empty, or multi- for a
+# library whose plain names have a card number; that one is in the folder multi. `interrupts`: its cards
+# interrupt their host. Beside each library are its import libraries: <family>.lib for Visual C++,
+# lib<family>.a for mingw. In 32 bits names are exported without decoration, and the import libraries know it.
+function(oncard_windows_library name family generator part interrupts)
   set(host_dir ${PROJECT_SOURCE_DIR}/runtime/host)
   if(CMAKE_SIZEOF_VOID_P EQUAL 4)
     set(exports ${part}exports-x86)
@@ -52,6 +52,7 @@ function(oncard_windows_library name family generator part)
   set_target_properties(${name} PROPERTIES PREFIX "" IMPORT_PREFIX lib IMPORT_SUFFIX .a
     OUTPUT_NAME ${family} UNITY_BUILD OFF
     ARCHIVE_OUTPUT_DIRECTORY ${folder} RUNTIME_OUTPUT_DIRECTORY ${folder})
+  target_compile_definitions(${name} PRIVATE ONCARD_INTERRUPTS=$<BOOL:${interrupts}>)
   target_link_options(${name} PRIVATE -s LINKER:--kill-at)  # without its symbols
   target_link_libraries(${name}
     PRIVATE oncard_options oncard_${family}_entry_points

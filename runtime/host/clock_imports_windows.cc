@@ -1,4 +1,4 @@
-// Sleeps and clocks of the host in virtual time.
+// Clocks of the host in virtual time.
 #include "runtime/host/host_hooks.h"
 #include "runtime/host/host_imports_windows.h"
 #include "runtime/host/host_threads_windows.h"
@@ -19,31 +19,12 @@ int64_t Look() {
   return oncard_host_time_ns();
 }
 
-/// Nothing but a procedure that is queued for the thread ends an endless sleep.
-DWORD SleepFor(DWORD milliseconds, BOOL alertable) {
-  EnrolThread();
-  if (milliseconds == INFINITE) {
-    const WaitsForOutside waits;
-    return ::SleepEx(INFINITE, alertable);
-  }
-  oncard_host_sleep_ns(milliseconds * kNsPerMs);
-  return 0;
-}
-
 FILETIME Calendar(int64_t now_ns) {
   const auto ticks = static_cast<uint64_t>(kCalendarBegin + now_ns / kNsPerFileTick);
   return {static_cast<DWORD>(ticks), static_cast<DWORD>(ticks >> 32)};
 }
 
 // --- Replacements --------------------------------------------------------------------------------
-
-void WINAPI HostSleep(DWORD milliseconds) { SleepFor(milliseconds, FALSE); }
-
-/// Procedures that are queued for the thread run before a sleep with an end.
-DWORD WINAPI HostSleepEx(DWORD milliseconds, BOOL alertable) {
-  if (alertable != 0 && ::SleepEx(0, TRUE) == WAIT_IO_COMPLETION) return WAIT_IO_COMPLETION;
-  return SleepFor(milliseconds, alertable);
-}
 
 ULONGLONG WINAPI HostGetTickCount64() { return static_cast<ULONGLONG>(Look() / kNsPerMs); }
 
@@ -81,8 +62,6 @@ void WINAPI HostGetLocalTime(SYSTEMTIME* time) {
 
 std::span<const Replacement> ClockImports() {
   static const Replacement kReplacements[] = {
-      {"Sleep", HostSleep},
-      {"SleepEx", HostSleepEx},
       {"GetTickCount", HostGetTickCount},
       {"GetTickCount64", HostGetTickCount64},
       {"timeGetTime", HostTimeGetTime},

@@ -13,16 +13,21 @@
 
 namespace oncard::runtime {
 
-/// For a host with any clock.
+// For a host with any clock.
+
 std::span<const Replacement> ProcessImports();
 std::span<const Replacement> KeyImports();
+
+// For a host with the virtual clock, and for one whose cards may interrupt it.
+
+/// Sleeps and waits.
+std::span<const Replacement> WaitImports();
+/// New threads and modules.
+std::span<const Replacement> LoaderImports();
 
 // For a host with the virtual clock.
 
 std::span<const Replacement> ClockImports();
-std::span<const Replacement> WaitImports();
 std::span<const Replacement> LockImports();
-/// New threads and modules.
-std::span<const Replacement> LoaderImports();
 
 }  // namespace oncard::runtime

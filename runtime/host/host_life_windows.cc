@@ -13,6 +13,9 @@
 namespace oncard::runtime {
 namespace {
 
+/// The cards of the family interrupt their host (cmake/OncardFamilies.cmake).
+constexpr bool kInterrupts = ONCARD_INTERRUPTS;
+
 bool IsSet(const char* variable) {
   const char* value = std::getenv(variable);
   return value != nullptr && *value != '\0';
@@ -33,13 +36,14 @@ void Begin(HINSTANCE own) {
   const bool is_virtual = HostTimeIsVirtual();
   const bool has_keys = is_virtual || IsSet("ONCARD_KEYS") || IsSet("ONCARD_SCENARIO");
   if (has_keys) patches.Add(KeyImports());
-  if (has_keys || IsSet("ONCARD_REFUSALS")) Stay(own);
-  if (is_virtual) {
-    for (const auto replacements :
-         {ClockImports(), WaitImports(), LockImports(), LoaderImports()}) {
-      patches.Add(replacements);
-    }
+  const bool has_waits = is_virtual || kInterrupts;
+  if (has_waits) {
+    for (const auto replacements : {WaitImports(), LoaderImports()}) patches.Add(replacements);
   }
+  if (is_virtual) {
+    for (const auto replacements : {ClockImports(), LockImports()}) patches.Add(replacements);
+  }
+  if (has_keys || has_waits || IsSet("ONCARD_REFUSALS")) Stay(own);
   patches.PatchModules();
 }
 

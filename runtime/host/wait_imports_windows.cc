@@ -1,5 +1,10 @@
-// Waits of the host for handles and messages, and what ends them, in virtual time.
+// Sleeps of the host, its waits for handles and messages, and what ends them, in virtual time. With
+// the wall clock who sleeps or waits looks at the cards, which may interrupt the host.
+#include <algorithm>
+
 #include "runtime/host/call_scope.h"
+#include "runtime/host/host_clock.h"
+#include "runtime/host/host_hooks.h"
 #include "runtime/host/host_imports_windows.h"
 #include "runtime/host/host_interrupts.h"
 #include "runtime/host/host_scenario.h"
@@ -18,11 +23,28 @@ int64_t DeadlineOf(DWORD milliseconds) {
                                   : VirtualTime::OfProcess().After(milliseconds * kNsPerMs);
 }
 
-/// `wait(milliseconds)` waits in real time, and says what has ended the wait. A wait without a
-/// duration counts as reading the clock.
+/// The wait of a host whose cards may interrupt it is in steps.
+template <typename RealWait>
+DWORD WaitInRealTime(DWORD milliseconds, const RealWait& wait) {
+  constexpr DWORD kStepMs = kRealStepNs / kNsPerMs;
+  HostInterrupts& interrupts = HostInterrupts::OfProcess();
+  const int64_t begin_ns = HostClock::SteadyNanoseconds();
+  for (;;) {
+    interrupts.Come();
+    DWORD left_ms = milliseconds;
+    if (milliseconds != INFINITE) {
+      const int64_t passed_ms = (HostClock::SteadyNanoseconds() - begin_ns) / kNsPerMs;
+      left_ms = static_cast<DWORD>(std::max<int64_t>(milliseconds - passed_ms, 0));
+    }
+    if (!interrupts.Awaited()) return wait(left_ms);
+    const DWORD end = wait(std::min(left_ms, kStepMs));
+    if (end != WAIT_TIMEOUT || left_ms == 0) return end;
+  }
+}
+
+/// A wait without a duration counts as reading the clock.
 template <typename RealWait>
 DWORD WaitInVirtualTime(DWORD milliseconds, const RealWait& wait) {
-  if (call_state.depth != 0) return wait(milliseconds);
   EnrolThread();
   HostInterrupts& interrupts = HostInterrupts::OfProcess();
   if (milliseconds == 0) {
@@ -52,28 +74,61 @@ DWORD WaitInVirtualTime(DWORD milliseconds, const RealWait& wait) {
   }
 }
 
+/// `wait(milliseconds)` waits in real time, and says what has ended the wait.
+template <typename RealWait>
+DWORD WaitAsHost(DWORD milliseconds, const RealWait& wait) {
+  if (call_state.depth != 0) return wait(milliseconds);
+  return HostTimeIsVirtual() ? WaitInVirtualTime(milliseconds, wait)
+                             : WaitInRealTime(milliseconds, wait);
+}
+
 /// Runs procedures that are queued for the thread. They end a wait that allows them.
 bool RunsProcedures(BOOL alertable) {
   return alertable != 0 && ::SleepEx(0, TRUE) == WAIT_IO_COMPLETION;
 }
 
+// --- Sleeps --------------------------------------------------------------------------------------
+
+/// Nothing but a procedure that is queued for the thread ends an endless sleep.
+DWORD SleepInVirtualTime(DWORD milliseconds, BOOL alertable) {
+  EnrolThread();
+  if (milliseconds == INFINITE) {
+    const WaitsForOutside outside;
+    return ::SleepEx(INFINITE, alertable);
+  }
+  oncard_host_sleep_ns(milliseconds * kNsPerMs);
+  return 0;
+}
+
+/// Procedures run before a sleep with an end in virtual time.
+DWORD WINAPI HostSleepEx(DWORD milliseconds, BOOL alertable) {
+  if (RunsProcedures(alertable)) return WAIT_IO_COMPLETION;
+  if (HostTimeIsVirtual()) return SleepInVirtualTime(milliseconds, alertable);
+  const auto sleep = [&](DWORD real_ms) -> DWORD {
+    return ::SleepEx(real_ms, alertable) == 0 ? WAIT_TIMEOUT : WAIT_IO_COMPLETION;
+  };
+  return WaitAsHost(milliseconds, sleep) == WAIT_TIMEOUT ? 0 : WAIT_IO_COMPLETION;
+}
+
+void WINAPI HostSleep(DWORD milliseconds) { HostSleepEx(milliseconds, FALSE); }
+
 // --- Handles -------------------------------------------------------------------------------------
 
 DWORD WINAPI HostWaitForSingleObject(HANDLE handle, DWORD milliseconds) {
-  return WaitInVirtualTime(milliseconds,
-                           [&](DWORD real_ms) { return ::WaitForSingleObject(handle, real_ms); });
+  return WaitAsHost(milliseconds,
+                    [&](DWORD real_ms) { return ::WaitForSingleObject(handle, real_ms); });
 }
 
 DWORD WINAPI HostWaitForSingleObjectEx(HANDLE handle, DWORD milliseconds, BOOL alertable) {
   if (RunsProcedures(alertable)) return WAIT_IO_COMPLETION;
-  return WaitInVirtualTime(milliseconds, [&](DWORD real_ms) {
+  return WaitAsHost(milliseconds, [&](DWORD real_ms) {
     return ::WaitForSingleObjectEx(handle, real_ms, alertable);
   });
 }
 
 DWORD WINAPI HostWaitForMultipleObjects(DWORD count, const HANDLE* handles, BOOL all,
                                         DWORD milliseconds) {
-  return WaitInVirtualTime(milliseconds, [&](DWORD real_ms) {
+  return WaitAsHost(milliseconds, [&](DWORD real_ms) {
     return ::WaitForMultipleObjects(count, handles, all, real_ms);
   });
 }
@@ -81,7 +136,7 @@ DWORD WINAPI HostWaitForMultipleObjects(DWORD count, const HANDLE* handles, BOOL
 DWORD WINAPI HostWaitForMultipleObjectsEx(DWORD count, const HANDLE* handles, BOOL all,
                                           DWORD milliseconds, BOOL alertable) {
   if (RunsProcedures(alertable)) return WAIT_IO_COMPLETION;
-  return WaitInVirtualTime(milliseconds, [&](DWORD real_ms) {
+  return WaitAsHost(milliseconds, [&](DWORD real_ms) {
     return ::WaitForMultipleObjectsEx(count, handles, all, real_ms, alertable);
   });
 }
@@ -143,7 +198,7 @@ DWORD WINAPI HostMsgWaitForMultipleObjectsEx(DWORD count, const HANDLE* handles,
                                              DWORD wake_mask, DWORD flags) {
   static auto* const original =
       OfUser32<decltype(::MsgWaitForMultipleObjectsEx)>("MsgWaitForMultipleObjectsEx");
-  return WaitInVirtualTime(milliseconds, [&](DWORD real_ms) {
+  return WaitAsHost(milliseconds, [&](DWORD real_ms) {
     return original(count, handles, real_ms, wake_mask, flags);
   });
 }
@@ -158,6 +213,8 @@ DWORD WINAPI HostMsgWaitForMultipleObjects(DWORD count, const HANDLE* handles, B
 
 std::span<const Replacement> WaitImports() {
   static const Replacement kReplacements[] = {
+      {"Sleep", HostSleep},
+      {"SleepEx", HostSleepEx},
       {"WaitForSingleObject", HostWaitForSingleObject},
       {"WaitForSingleObjectEx", HostWaitForSingleObjectEx},
       {"WaitForMultipleObjects", HostWaitForMultipleObjects},
