@@ -100,10 +100,14 @@ void ImportPatches::Add(std::span<const Replacement> replacements) {
   replacements_.insert(replacements_.end(), replacements.begin(), replacements.end());
 }
 
+// Windows is asked without the lock: what it says needs its lock of the loader, and a thread that
+// has that one, because a DLL is told of it, may ask for a replacement.
 void ImportPatches::PatchModules() {
+  const std::vector<HMODULE> modules = ModulesToPatch();
+  const std::map<void*, void*> found = FindOriginals();
   const std::lock_guard lock(mutex_);
-  FindOriginals();
-  for (const HMODULE module : ModulesToPatch()) PatchModule(module);
+  replacement_of_.insert(found.begin(), found.end());
+  for (const HMODULE module : modules) PatchModule(module);
 }
 
 void ImportPatches::PutBack() {
@@ -123,15 +127,20 @@ FARPROC ImportPatches::ReplacementOf(FARPROC function) {
 }
 
 // Libraries that have been loaded since may have the functions, too.
-void ImportPatches::FindOriginals() {
+std::map<void*, void*> ImportPatches::FindOriginals() {
+  std::unique_lock lock(mutex_);
+  const std::vector<Replacement> replacements = replacements_;
+  lock.unlock();
+  std::map<void*, void*> found;
   for (const char* const provider : kProviders) {
     const HMODULE library = ::GetModuleHandleA(provider);
     if (library == nullptr) continue;
-    for (const Replacement& replacement : replacements_) {
+    for (const Replacement& replacement : replacements) {
       void* const original = reinterpret_cast<void*>(::GetProcAddress(library, replacement.name));
-      if (original != nullptr) replacement_of_.emplace(original, replacement.function);
+      if (original != nullptr) found.emplace(original, replacement.function);
     }
   }
+  return found;
 }
 
 void ImportPatches::PatchModule(HMODULE module) {

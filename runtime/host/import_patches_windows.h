@@ -51,7 +51,8 @@ class ImportPatches {
     void* function;
   };
 
-  void FindOriginals();
+  /// The functions that are to be replaced, with what replaces them.
+  std::map<void*, void*> FindOriginals();
   void PatchModule(HMODULE module);
   void PatchSlots(void** slot);
 
