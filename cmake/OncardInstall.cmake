@@ -3,7 +3,8 @@
 #
 #   oncard           the command, and what it needs
 #   libgts1          the host libraries of all families; the number is ONCARD_SOVERSION
-#   libgts-dev       what other projects compile and link with: C headers, links, CMake and pkg-config files
+#   libgts-dev       what other projects compile and link with: declarations for C and C#, links, CMake and
+#                    pkg-config files
 #   oncard-doc       the documentation and the samples
 #   python3-oncard   the package for Python
 include(GNUInstallDirs)

@@ -5,8 +5,8 @@
 //   generate_interface FAMILY entry-points FILE         the library's functions
 //   generate_interface FAMILY multi-entry-points FILE   the same with a card number
 //   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
-//   generate_interface FAMILY structures FILE           structures of the header as cells and back
 //   generate_interface FAMILY multi-basic-entry-points FILE   the same with a card number
+//   generate_interface FAMILY structures FILE           structures of the header as cells and back
 //   generate_interface FAMILY exports-x64 FILE          what its library for Windows exports
 //   generate_interface FAMILY multi-exports-x64 FILE    the same if plain names have a card number;
 //                                                       x86: both for 32 bits
