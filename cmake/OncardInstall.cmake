@@ -30,6 +30,16 @@ function(oncard_install_family name)
   endforeach()
 endfunction()
 
+# oncard_dll_link(link library): a link to a library by the name that it has on Windows, for hosts that
+# load it by that name. Called in the folder of the library.
+function(oncard_dll_link link library)
+  set(dll $<TARGET_FILE_DIR:${library}>/${link})
+  add_custom_command(TARGET ${library} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE_NAME:${library}> ${dll} VERBATIM)
+  install(FILES ${dll} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${ONCARD_LIBRARY_COMPONENT})
+  oncard_install_exec_link(${link} ${link})
+endfunction()
+
 # oncard_install_exec_link(link library): a link in the folder of `oncard exec` to an installed library.
 function(oncard_install_exec_link link library)
   set(links ${PROJECT_BINARY_DIR}/exec_links)
