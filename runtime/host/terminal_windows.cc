@@ -1,6 +1,7 @@
 #include <conio.h>
 #include <windows.h>
 
+#include "runtime/host/host_threads_windows.h"
 #include "runtime/host/terminal.h"
 
 namespace oncard::runtime {
@@ -27,6 +28,7 @@ bool TerminalHasKey() {
 }
 
 int ReadTerminalKey() {
+  const WaitsForOutside outside;
   if (IsConsole()) return ::_getch();
   unsigned char character = 0;
   DWORD count = 0;

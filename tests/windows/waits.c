@@ -2,6 +2,7 @@
    checked. The times are those that the program asks for: nothing else takes a millisecond, and
    calls and looks at the clock take microseconds. */
 #define _WIN32_WINNT 0x0601
+#include <conio.h>
 #include <process.h>
 #include <stdio.h>
 #include <string.h>
@@ -155,6 +156,26 @@ static void Procedures(void) {
   CHECK_EQ(Passed(), 100);
 }
 
+static unsigned __stdcall AwaitKey(void* argument) {
+  (void)argument;
+  return (unsigned)_getch();
+}
+
+/* Time goes on for others while a thread waits for a key that no script has. */
+static void Keys(void) {
+  HANDLE from = NULL, to = NULL, thread = NULL;
+  DWORD count = 0, code = 0;
+  CHECK_EQ(CreatePipe(&from, &to, NULL, 0), TRUE);
+  CHECK_EQ(SetStdHandle(STD_INPUT_HANDLE, from), TRUE);
+  thread = Start(AwaitKey);
+  Sleep(1000);
+  CHECK_EQ(Passed(), 1000);
+  CHECK_EQ(WriteFile(to, "k", 1, &count, NULL), TRUE);
+  CHECK_EQ(WaitForSingleObject(thread, INFINITE), WAIT_OBJECT_0);
+  CHECK_EQ(GetExitCodeThread(thread, &code), TRUE);
+  CHECK_EQ(code, 'k');
+}
+
 /* What is found by its name is replaced, too. */
 static void Found(void) {
   void(WINAPI * sleep)(DWORD) =
@@ -181,6 +202,8 @@ int main(int argc, char** argv) {
     Locks();
   } else if (strcmp(what, "conditions") == 0) {
     Conditions();
+  } else if (strcmp(what, "keys") == 0) {
+    Keys();
   } else if (strcmp(what, "procedures") == 0) {
     Procedures();
   } else if (strcmp(what, "found") == 0) {
