@@ -236,8 +236,8 @@ Waits WaitingThreads::OthersWait(std::span<const ThreadId> asleep,
   for (int listing = 0; listing < kListingsOfOneLook; ++listing) {
     if (listing > 0 || threads_.size() != count) ListThreads();
     Answer answer = LookAtOthers(known, false);
-    // The first of several may have been woken by the last. A single one waits now.
     if (!answer) continue;
+    // The first of several may have been woken by the last. A single one waits now.
     if (*answer != Waits::kNot && count != known_count + 1) answer = LookAtOthers(known, true);
     if (answer) return *answer;
   }
