@@ -12,4 +12,8 @@ ptrdiff_t ReadSome(int descriptor, char* bytes, size_t size) {
   return ::read(descriptor, bytes, size);
 }
 
+ptrdiff_t WriteSome(int descriptor, const char* bytes, size_t size) {
+  return ::write(descriptor, bytes, size);
+}
+
 }  // namespace oncard

@@ -1,5 +1,6 @@
-// A file descriptor that is closed with its scope, and the calls by which files.cc reads: those of
-// descriptor.cc on Linux, of descriptor_windows.cc on Windows.
+// A file descriptor that is closed with its scope, and the calls by which files.cc reads and
+// file_writer.cc writes: those of descriptor.cc on Linux and in WebAssembly, of
+// descriptor_windows.cc on Windows.
 #pragma once
 
 #include <unistd.h>
@@ -28,5 +29,7 @@ class Descriptor {
 int OpenToRead(const std::string& path);
 /// Reads up to `size` bytes; 0 at the end, -1 with errno.
 ptrdiff_t ReadSome(int descriptor, char* bytes, size_t size);
+/// Writes up to `size` bytes; -1 with errno.
+ptrdiff_t WriteSome(int descriptor, const char* bytes, size_t size);
 
 }  // namespace oncard

@@ -23,28 +23,6 @@ namespace {
 
 constexpr long kNsPerMs = 1'000'000;
 
-/// Puts what the system says of a file into its place.
-void Take(const struct stat& info, Place* place) {
-  place->kind = S_ISREG(info.st_mode)   ? Place::Kind::kFile
-                : S_ISDIR(info.st_mode) ? Place::Kind::kFolder
-                                        : Place::Kind::kOther;
-  place->mode = info.st_mode;
-  place->owner = info.st_uid;
-  place->group = info.st_gid;
-  place->device = info.st_dev;
-  place->node = info.st_ino;
-}
-
-bool Write(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    content.remove_prefix(static_cast<size_t>(written));
-  }
-  return true;
-}
-
 /// Gives the new file the owner and mode of the old one.
 bool TakeOver(int descriptor, const Place& place) {
   if (place.kind == Place::Kind::kNothing) return true;
@@ -55,10 +33,7 @@ bool TakeOver(int descriptor, const Place& place) {
 
 }  // namespace
 
-std::string FolderOf(const std::string& path) {
-  const size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
-}
+const std::string_view kSeparators = "/";
 
 bool FindPlace(const std::string& path, Place* place) {
   place->path = path;
@@ -84,17 +59,6 @@ bool FindPlace(const std::string& path, Place* place) {
   if (length < 0) return false;
   place->path.assign(buffer, static_cast<size_t>(length));
   return true;
-}
-
-int OwnOutput(const Place& place) {
-  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
-    struct stat info;
-    if (place.kind != Place::Kind::kNothing && ::fstat(number, &info) == 0 &&
-        info.st_dev == place.device && info.st_ino == place.node) {
-      return number;
-    }
-  }
-  return -1;
 }
 
 bool MayWrite(const Place& place) {
@@ -130,10 +94,8 @@ Held KeepFromSweep(const std::string& path) {
   return file;
 }
 
-std::string TemporaryName(const std::string& folder) {
-  uint64_t number = 0;
-  if (::getrandom(&number, sizeof number, 0) != sizeof number) return {};
-  return TemporaryNameOf(folder, number);
+bool RandomNumber(uint64_t* number) {
+  return ::getrandom(number, sizeof *number, 0) == sizeof *number;
 }
 
 void Sweep(const std::string& folder) {
@@ -152,44 +114,26 @@ void Sweep(const std::string& folder) {
   ::closedir(entries);
 }
 
-int CreateTemporary(const Place& place, std::string* name) {
+int CreateTemporary(const Place& place, const std::string& name) {
   // A new file gets the mode that the creation mask allows. A replacement is private until it gets
   // the mode of the old file.
   const mode_t mode = place.kind == Place::Kind::kNothing ? 0666 : 0600;
-  for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-    *name = TemporaryName(FolderOf(place.path));
-    if (name->empty()) return -1;
-    const int number =
-        ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (number < 0) {
-      name->clear();
-      if (errno == EEXIST) continue;
-      return -1;
-    }
-    // Another writer may have removed it before it was locked.
-    struct stat info;
-    const bool swept = ::flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) return number;
-    ::unlink(name->c_str());
-    name->clear();
-    ::close(number);
-    errno = EEXIST;
-  }
+  const int number =
+      ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+  if (number < 0) return -1;
+  // Another writer may have removed it before it was locked.
+  struct stat info;
+  const bool swept = ::flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) return number;
+  ::unlink(name.c_str());
+  ::close(number);
+  errno = EEXIST;
   return -1;
 }
 
 int OpenToWrite(const std::string& path, int own_output) {
   return own_output >= 0 ? ::fcntl(own_output, F_DUPFD_CLOEXEC, 0)
                          : ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
-}
-
-bool WriteAll(int descriptor, const TextSource& content) {
-  int failure = 0;  // the first one
-  content([&](std::string_view piece) {
-    if (failure == 0 && !Write(descriptor, piece)) failure = errno;
-  });
-  errno = failure;
-  return failure == 0;
 }
 
 bool Complete(int descriptor, const Place& place) {

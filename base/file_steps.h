@@ -1,16 +1,20 @@
 // The steps in which file_writer.cc writes a file, as the system takes them: file_steps.cc on
-// Linux, file_steps_windows.cc on Windows. Those that fail say why in errno. For file_writer.cc
-// only.
+// Linux, file_steps_windows.cc on Windows, file_steps_wasi.cc in WebAssembly. Those that fail say
+// why in errno. For file_writer.cc only.
 #pragma once
+
+#include <sys/stat.h>
 
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "base/text_pieces.h"
-
 namespace oncard::file_steps {
+
+/// How often a folder in use is tried before it is used without a lock, and the pause in between.
+inline constexpr int kLockAttempts = 1000;
+inline constexpr int kLockPauseMs = 10;
 
 /// Something that is given back when the last copy of this ends; it may be nothing.
 using Held = std::shared_ptr<void>;
@@ -21,21 +25,29 @@ struct Place {
   std::string path;  ///< with links in its last part resolved
   Kind kind = Kind::kNothing;
   bool dangling = false;  ///< a link pointed to nothing: an empty file has just been created there
-  // Of Linux:
   uint32_t mode = 0;
   uint32_t owner = 0;
   uint32_t group = 0;
   uint64_t device = 0;
-  uint64_t node = 0;
+  uint64_t node = 0;  ///< 0: the system does not number files
 };
 
-/// The folder of a file, with the separator at its end.
-std::string FolderOf(const std::string& path);
+/// Puts what the system says of a file into its place.
+inline void Take(const struct stat& info, Place* place) {
+  place->kind = S_ISREG(info.st_mode)   ? Place::Kind::kFile
+                : S_ISDIR(info.st_mode) ? Place::Kind::kFolder
+                                        : Place::Kind::kOther;
+  place->mode = info.st_mode;
+  place->owner = info.st_uid;
+  place->group = info.st_gid;
+  place->device = info.st_dev;
+  place->node = info.st_ino;
+}
+
+/// The characters that part folders in a name.
+extern const std::string_view kSeparators;
 
 bool FindPlace(const std::string& path, Place* place);
-/// Standard output or standard error if it is this file, as in `--record /dev/stdout > file`;
-/// otherwise -1.
-int OwnOutput(const Place& place);
 /// False if the user has made the file read-only.
 bool MayWrite(const Place& place);
 
@@ -49,17 +61,17 @@ Held LockFolder(const std::string& folder, bool to_write);
 /// Keeps Sweep() from a file that is going to have a temporary name for a moment.
 Held KeepFromSweep(const std::string& path);
 
-/// A new name for a temporary file in a folder; empty if there is none.
-std::string TemporaryName(const std::string& folder);
+/// A number that nobody can guess, for the name of a temporary file.
+bool RandomNumber(uint64_t* number);
 /// Removes the temporary files of writers that were killed.
 void Sweep(const std::string& folder);
 
 /// Creates the file that is going to replace what is at a place, with a temporary name, and keeps
-/// it from Sweep() until the descriptor is closed; -1 on failure.
-int CreateTemporary(const Place& place, std::string* name);
+/// it from Sweep() until the descriptor is closed; -1 on failure, with EEXIST if another name is to
+/// be tried.
+int CreateTemporary(const Place& place, const std::string& name);
 /// Opens what is written to directly: its own output or a device; -1 on failure.
 int OpenToWrite(const std::string& path, int own_output);
-bool WriteAll(int descriptor, const TextSource& content);
 /// Gives a new file the owner and mode of the old one at its place, as far as there are any, and
 /// flushes it.
 bool Complete(int descriptor, const Place& place);

@@ -10,35 +10,10 @@
 #include <cstdlib>
 
 #include "base/file_steps.h"
-#include "base/temporary_names.h"
 
 namespace oncard::file_steps {
-namespace {
 
-/// Puts what the system says of a file into its place.
-void Take(const struct stat& info, Place* place) {
-  place->kind = S_ISREG(info.st_mode)   ? Place::Kind::kFile
-                : S_ISDIR(info.st_mode) ? Place::Kind::kFolder
-                                        : Place::Kind::kOther;
-  place->device = info.st_dev;
-  place->node = info.st_ino;
-}
-
-bool Write(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written < 0) return false;
-    content.remove_prefix(static_cast<size_t>(written));
-  }
-  return true;
-}
-
-}  // namespace
-
-std::string FolderOf(const std::string& path) {
-  const size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
-}
+const std::string_view kSeparators = "/";
 
 bool FindPlace(const std::string& path, Place* place) {
   place->path = path;
@@ -66,17 +41,6 @@ bool FindPlace(const std::string& path, Place* place) {
   return true;
 }
 
-int OwnOutput(const Place& place) {
-  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
-    struct stat info;
-    if (place.kind != Place::Kind::kNothing && ::fstat(number, &info) == 0 && info.st_ino != 0 &&
-        info.st_dev == place.device && info.st_ino == place.node) {
-      return number;
-    }
-  }
-  return -1;
-}
-
 bool MayWrite(const Place& place) {
   const int number = ::open(place.path.c_str(), O_WRONLY);
   if (number < 0) return false;
@@ -92,39 +56,18 @@ Held LockFolder(const std::string& /*folder*/, bool /*to_write*/) { return {}; }
 
 Held KeepFromSweep(const std::string& /*path*/) { return {}; }
 
-std::string TemporaryName(const std::string& folder) {
-  uint64_t number = 0;
-  if (::getentropy(&number, sizeof number) != 0) return {};
-  return TemporaryNameOf(folder, number);
-}
+bool RandomNumber(uint64_t* number) { return ::getentropy(number, sizeof *number) == 0; }
 
 // Without locks, nobody can tell which temporary files are in use.
 void Sweep(const std::string& /*folder*/) {}
 
-int CreateTemporary(const Place& place, std::string* name) {
-  for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-    *name = TemporaryName(FolderOf(place.path));
-    if (name->empty()) return -1;
-    const int number = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (number >= 0) return number;
-    name->clear();
-    if (errno != EEXIST) return -1;
-  }
-  return -1;
+int CreateTemporary(const Place& /*place*/, const std::string& name) {
+  return ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
 }
 
 int OpenToWrite(const std::string& path, int own_output) {
   if (own_output < 0) return ::open(path.c_str(), O_WRONLY);
   return ::open(own_output == STDOUT_FILENO ? "/dev/stdout" : "/dev/stderr", O_WRONLY);
-}
-
-bool WriteAll(int descriptor, const TextSource& content) {
-  int failure = 0;  // the first one
-  content([&](std::string_view piece) {
-    if (failure == 0 && !Write(descriptor, piece)) failure = errno;
-  });
-  errno = failure;
-  return failure == 0;
 }
 
 bool Complete(int descriptor, const Place& /*place*/) { return ::fsync(descriptor) == 0; }

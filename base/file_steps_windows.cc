@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 
 #include "base/descriptor.h"
@@ -21,7 +20,6 @@
 namespace oncard::file_steps {
 namespace {
 
-constexpr std::string_view kSeparators = "/\\:";
 /// A reader, or a scanner for viruses, has a file open for a moment.
 constexpr int kRenameAttempts = 100;
 constexpr DWORD kRenamePauseMs = 10;
@@ -70,16 +68,6 @@ Held Keep(HANDLE handle) {
   return {handle, [](HANDLE kept) { ::CloseHandle(kept); }};
 }
 
-bool Write(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const auto size = static_cast<unsigned>(std::min(content.size(), size_t{INT_MAX}));
-    const int written = ::_write(descriptor, content.data(), size);
-    if (written < 0) return false;
-    content.remove_prefix(static_cast<size_t>(written));
-  }
-  return true;
-}
-
 /// Tries again while somebody else has one of the files open.
 bool Move(const std::string& from, const std::string& to, DWORD how) {
   for (int attempt = 1;; ++attempt) {
@@ -91,23 +79,15 @@ bool Move(const std::string& from, const std::string& to, DWORD how) {
 
 }  // namespace
 
-std::string FolderOf(const std::string& path) {
-  const size_t separator = path.find_last_of(kSeparators);
-  return separator == std::string::npos ? "./" : path.substr(0, separator + 1);
-}
+const std::string_view kSeparators = "/\\:";
 
 bool FindPlace(const std::string& path, Place* place) {
   place->path = path;
   struct stat info;
   if (::stat(path.c_str(), &info) != 0) return errno == ENOENT;
-  place->kind = S_ISREG(info.st_mode)   ? Place::Kind::kFile
-                : S_ISDIR(info.st_mode) ? Place::Kind::kFolder
-                                        : Place::Kind::kOther;
+  Take(info, place);
   return true;
 }
-
-// Here the standard outputs have no names.
-int OwnOutput(const Place& /*place*/) { return -1; }
 
 bool MayWrite(const Place& place) {
   constexpr int kToWrite = 2;
@@ -145,11 +125,12 @@ Held LockFolder(const std::string& folder, bool /*to_write*/) {
 // An open file could not be replaced: MoveAway() keeps it instead.
 Held KeepFromSweep(const std::string& /*path*/) { return {}; }
 
-std::string TemporaryName(const std::string& folder) {
+bool RandomNumber(uint64_t* number) {
   unsigned high = 0;
   unsigned low = 0;
-  if ((errno = ::rand_s(&high)) != 0 || (errno = ::rand_s(&low)) != 0) return {};
-  return TemporaryNameOf(folder, uint64_t{high} << 32 | low);
+  if ((errno = ::rand_s(&high)) != 0 || (errno = ::rand_s(&low)) != 0) return false;
+  *number = uint64_t{high} << 32 | low;
+  return true;
 }
 
 void Sweep(const std::string& folder) {
@@ -170,32 +151,23 @@ void Sweep(const std::string& folder) {
   ::FindClose(entries);
 }
 
-int CreateTemporary(const Place& place, std::string* name) {
-  for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-    *name = TemporaryName(FolderOf(place.path));
-    if (name->empty()) return -1;
-    const HANDLE file = Open(*name, GENERIC_WRITE, kShared, CREATE_NEW);
-    if (file != INVALID_HANDLE_VALUE) {
-      return ::_open_osfhandle(reinterpret_cast<intptr_t>(file), _O_WRONLY | _O_BINARY);
-    }
-    name->clear();
+int CreateTemporary(const Place& /*place*/, const std::string& name) {
+  const HANDLE file = Open(name, GENERIC_WRITE, kShared, CREATE_NEW);
+  if (file == INVALID_HANDLE_VALUE) {
     errno = ErrorNumber();
-    if (errno != EEXIST) return -1;
+    return -1;
   }
-  return -1;
+  const int number = ::_open_osfhandle(reinterpret_cast<intptr_t>(file), _O_WRONLY | _O_BINARY);
+  if (number < 0) {  // there are too many open files
+    ::CloseHandle(file);
+    ::DeleteFileA(name.c_str());
+    errno = EMFILE;
+  }
+  return number;
 }
 
 int OpenToWrite(const std::string& path, int /*own_output*/) {
   return ::_open(path.c_str(), _O_WRONLY | _O_BINARY | _O_NOINHERIT);
-}
-
-bool WriteAll(int descriptor, const TextSource& content) {
-  int failure = 0;  // the first one
-  content([&](std::string_view piece) {
-    if (failure == 0 && !Write(descriptor, piece)) failure = errno;
-  });
-  errno = failure;
-  return failure == 0;
 }
 
 bool Complete(int descriptor, const Place& /*place*/) { return ::_commit(descriptor) == 0; }

@@ -1,4 +1,7 @@
 // Tested by tests/base/file_writer_test.cc and, call by call, tests/tools/failing_calls_test.cc.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -7,12 +10,61 @@
 #include "base/descriptor.h"
 #include "base/file_steps.h"
 #include "base/files.h"
+#include "base/temporary_names.h"
 
 namespace oncard {
 namespace {
 
 using file_steps::Held;
 using file_steps::Place;
+
+/// How many names are tried for a temporary file before that is an error.
+constexpr int kNameAttempts = 100;
+
+/// The folder of a file, with the separator at its end.
+std::string FolderOf(const std::string& path) {
+  const size_t separator = path.find_last_of(file_steps::kSeparators);
+  return separator == std::string::npos ? "./" : path.substr(0, separator + 1);
+}
+
+/// A new name for a temporary file in the folder of a file; empty if there is none.
+std::string TemporaryNameBeside(const std::string& path) {
+  uint64_t number = 0;
+  return file_steps::RandomNumber(&number) ? TemporaryNameOf(FolderOf(path), number)
+                                           : std::string();
+}
+
+/// Standard output or standard error if it is this file, as in `--record /dev/stdout > file`;
+/// otherwise -1.
+int OwnOutput(const Place& place) {
+  if (place.node == 0) return -1;
+  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat info;
+    if (::fstat(number, &info) == 0 && info.st_dev == place.device && info.st_ino == place.node) {
+      return number;
+    }
+  }
+  return -1;
+}
+
+bool WritePiece(int descriptor, std::string_view piece) {
+  while (!piece.empty()) {
+    const ptrdiff_t written = WriteSome(descriptor, piece.data(), piece.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    piece.remove_prefix(static_cast<size_t>(written));
+  }
+  return true;
+}
+
+bool WriteAll(int descriptor, const TextSource& content) {
+  int failure = 0;  // the first one
+  content([&](std::string_view piece) {
+    if (failure == 0 && !WritePiece(descriptor, piece)) failure = errno;
+  });
+  errno = failure;
+  return failure == 0;
+}
 
 Error WriteError(const std::string& path) {
   return MakeError(1, "cannot write '{0}': {1}", "无法写入“{0}”：{1}", path, std::strerror(errno));
@@ -55,9 +107,9 @@ class StagedFile {
     }
     old_ = file_steps::KeepFromSweep(place_.path);
     signals_ = file_steps::HoldSignals();
-    file_steps::Sweep(file_steps::FolderOf(place_.path));
-    new_.emplace(file_steps::CreateTemporary(place_, &temporary_));
-    if (new_->get() < 0 || !file_steps::WriteAll(new_->get(), content_) ||
+    file_steps::Sweep(FolderOf(place_.path));
+    new_.emplace(CreateTemporary());
+    if (new_->get() < 0 || !WriteAll(new_->get(), content_) ||
         !file_steps::Complete(new_->get(), place_)) {
       return WriteError(path_);
     }
@@ -67,7 +119,7 @@ class StagedFile {
   /// True when the content replaces a file or creates one.
   bool Replaces() const {
     return place_.kind == Place::Kind::kNothing ||
-           (place_.kind == Place::Kind::kFile && file_steps::OwnOutput(place_) < 0);
+           (place_.kind == Place::Kind::kFile && OwnOutput(place_) < 0);
   }
 
   /// Puts the content into its place.
@@ -112,7 +164,7 @@ class StagedFile {
   /// Moves the old file, if there is one, out of the way.
   Result<void> TakeAway() {
     if (!Replaces()) return {};
-    std::string name = file_steps::TemporaryName(file_steps::FolderOf(place_.path));
+    std::string name = TemporaryNameBeside(place_.path);
     if (name.empty()) return WriteError(path_);
     if (file_steps::MoveAway(place_.path, name, &away_held_)) {
       away_ = std::move(name);
@@ -136,6 +188,19 @@ class StagedFile {
   }
 
  private:
+  /// The temporary file for the content; -1 on failure.
+  int CreateTemporary() {
+    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
+      temporary_ = TemporaryNameBeside(place_.path);
+      if (temporary_.empty()) return -1;
+      const int number = file_steps::CreateTemporary(place_, temporary_);
+      if (number >= 0) return number;
+      temporary_.clear();
+      if (errno != EEXIST) return -1;
+    }
+    return -1;
+  }
+
   /// Removes what has not been put into its place.
   void Remove() {
     if (!temporary_.empty()) file_steps::Remove(temporary_);
@@ -144,8 +209,8 @@ class StagedFile {
   }
 
   Result<void> WriteThrough() {
-    const Descriptor file(file_steps::OpenToWrite(path_, file_steps::OwnOutput(place_)));
-    if (file.get() < 0 || !file_steps::WriteAll(file.get(), content_)) return WriteError(path_);
+    const Descriptor file(file_steps::OpenToWrite(path_, OwnOutput(place_)));
+    if (file.get() < 0 || !WriteAll(file.get(), content_)) return WriteError(path_);
     placed_ = true;
     return {};
   }
@@ -187,7 +252,7 @@ Result<void> WritePairAtomically(const std::string& first_path, std::string_view
                                  const std::string& second_path, std::string_view second) {
   // Another writer of this pair moves the old files away for a moment; this must not be visible
   // here.
-  const Held lock = file_steps::LockFolder(file_steps::FolderOf(first_path), true);
+  const Held lock = file_steps::LockFolder(FolderOf(first_path), true);
   StagedFile first_file(first_path);
   StagedFile second_file(second_path);
   if (auto result = first_file.Stage(SourceOf(first)); !result.ok()) return result;
@@ -211,7 +276,7 @@ Result<void> WritePairAtomically(const std::string& first_path, std::string_view
 
 FilePair ReadPair(const std::string& first_path, const std::string& second_path,
                   const FileKind& kind) {
-  const Held lock = file_steps::LockFolder(file_steps::FolderOf(first_path), false);
+  const Held lock = file_steps::LockFolder(FolderOf(first_path), false);
   return {ReadFile(first_path, kind), ReadFile(second_path, kind)};
 }
 

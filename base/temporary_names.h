@@ -1,4 +1,5 @@
-// The names of temporary files that file_steps.cc and file_steps_windows.cc make.
+// The names of temporary files that file_writer.cc makes and file_steps.cc, or its like on another
+// system, recognises.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,18 +10,12 @@
 
 namespace oncard {
 
-// They are hidden and differ. A writer keeps its own locked or open, so that the next writer in the
-// folder recognises those that were left behind.
+// They are hidden and differ. Where the system has locks, a writer keeps its own locked or open, so
+// that the next writer in the folder recognises those that were left behind.
 inline constexpr std::string_view kTemporaryPrefix = ".oncard-";
 inline constexpr std::string_view kTemporaryEnding = ".tmp";
 /// 16 hexadecimal digits: a number of 64 bits.
 inline constexpr size_t kTemporaryDigits = 16;
-
-/// How many names are tried for a temporary file, and how often a folder in use is tried, before
-/// that is an error.
-inline constexpr int kNameAttempts = 100;
-inline constexpr int kLockAttempts = 1000;
-inline constexpr int kLockPauseMs = 10;
 
 inline std::string TemporaryNameOf(const std::string& folder, uint64_t number) {
   return fmt::format("{}{}{:0{}x}{}", folder, kTemporaryPrefix, number, kTemporaryDigits,
