@@ -1,4 +1,5 @@
-// Programs that read a text and write another: filter.cc on Linux, filter_windows.cc on Windows.
+// Programs that read a text and write another: filter.cc on Linux, filter_windows.cc on Windows,
+// filter_wasi.cc in WebAssembly, which starts none.
 #pragma once
 
 #include <optional>

@@ -11,7 +11,8 @@ namespace oncard::tools {
 /// The output of `gnuplot --version`; empty if it is not installed.
 std::string GnuplotVersion();
 
-/// The advice if it is not installed (gnuplot_remedy.cc, gnuplot_remedy_windows.cc).
+/// The advice if it is not installed: gnuplot_remedy.cc on Linux, gnuplot_remedy_windows.cc on
+/// Windows, gnuplot_remedy_wasi.cc in WebAssembly.
 Message GnuplotRemedy();
 
 /// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports errors. Returns

@@ -1,5 +1,5 @@
-// The signals by which a command is asked to end: stop_signal_numbers.cc on Linux,
-// stop_signal_numbers_windows.cc on Windows.
+// The signals by which a command is asked to end: stop_signal_numbers.cc on Linux and in
+// WebAssembly, whose system ends the command instead, stop_signal_numbers_windows.cc on Windows.
 #pragma once
 
 #include <array>

@@ -23,8 +23,10 @@ set(sources
   explore_search.cc
   explore_subject.cc
   file_patterns.cc
+  filter_wasi.cc
   folders_wasi.cc
-  gnuplot_wasi.cc
+  gnuplot.cc
+  gnuplot_remedy_wasi.cc
   host_tests_wasi.cc
   invocation.cc
   isolation_wasi.cc
@@ -47,7 +49,8 @@ set(sources
   schema_command.cc
   search_look.cc
   search_watch_wasi.cc
-  stop_signals_wasi.cc
+  stop_signal_numbers.cc
+  stop_signals.cc
   system_wasi.cc
   terminal_wasi.cc
   test_command.cc
