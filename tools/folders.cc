@@ -1,15 +1,11 @@
 #include "tools/folders.h"
 
-#include <filesystem>
-#include <system_error>
-
-#include "base/path_bytes.h"
+#include "tools/folder_steps.h"
 
 namespace oncard::tools {
 
 Result<void> MakeFolders(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(PathOf(path), error);
+  const std::error_code error = folder_steps::MakeAll(path);
   if (!error) return {};
   return MakeError(1, "cannot make the folder '{0}': {1}", "无法创建文件夹“{0}”：{1}", path,
                    error.message());

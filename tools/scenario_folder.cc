@@ -1,12 +1,9 @@
 #include "tools/scenario_folder.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
-#include <utility>
 
 #include "base/files.h"
-#include "base/path_bytes.h"
+#include "tools/folder_steps.h"
 
 namespace oncard::tools {
 
@@ -20,16 +17,11 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
     found.push_back(path);
     return found;
   }
-  std::error_code error;
-  using Iterator = std::filesystem::recursive_directory_iterator;
-  for (Iterator entry(PathOf(path), error); !error && entry != Iterator(); entry.increment(error)) {
-    std::string name = FileNameOf(entry->path());
-    if (name.ends_with(".toml")) found.push_back(std::move(name));
-  }
-  if (error) {
+  if (const std::error_code error = folder_steps::AddPathsIn(path, &found)) {
     return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,
                      error.message());
   }
+  std::erase_if(found, [](const std::string& each) { return !each.ends_with(".toml"); });
   std::sort(found.begin(), found.end());
   return found;
 }

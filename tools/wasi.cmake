@@ -24,7 +24,8 @@ set(sources
   explore_subject.cc
   file_patterns.cc
   filter_wasi.cc
-  folders_wasi.cc
+  folder_steps_wasi.cc
+  folders.cc
   gnuplot.cc
   gnuplot_remedy_wasi.cc
   host_tests_wasi.cc
@@ -45,7 +46,7 @@ set(sources
   run_command.cc
   run_report.cc
   run_views.cc
-  scenario_folder_wasi.cc
+  scenario_folder.cc
   schema_command.cc
   search_look.cc
   search_watch_wasi.cc
