@@ -1,5 +1,6 @@
 // Commands that need more of a system than WebAssembly has: each says what to use in its place.
 #include "tools/absent_command.h"
+#include "tools/host_tests.h"
 
 namespace oncard::tools {
 
@@ -36,6 +37,11 @@ void AddDoctor(CLI::App& app, Invocation& invocation) {
                     "显示本构建的能力（npm 版 oncard 不含）"},
                    {"'doctor' needs an installed oncard; --version says which one this is",
                     "“doctor”需要安装的 oncard；版本可用 --version 查看"});
+}
+
+Message WhyNoHostTests() {
+  return {"skipped: host programs need an installed oncard, this is that of npm",
+          "已跳过：主机程序需要安装的 oncard，此处为 npm 版本"};
 }
 
 }  // namespace oncard::tools

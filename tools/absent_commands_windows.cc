@@ -1,5 +1,6 @@
 // In place of exec_command.cc and serve_command.cc on Windows: what is there instead.
 #include "tools/absent_command.h"
+#include "tools/host_tests.h"
 
 namespace oncard::tools {
 namespace {
@@ -24,6 +25,14 @@ void AddServe(CLI::App& app, Invocation& invocation) {
        "serve' on a computer with Linux, such as WSL",
        "Windows 上没有“serve”：请使用自带引擎的练习页面，或在 Linux（例如 WSL）上运行“oncard "
        "serve”"});
+}
+
+Message WhyNoHostTests() {
+  return {
+      "skipped: on Windows oncard starts no hosts: start it yourself, with gts.dll beside it and "
+      "the scenario in the variable ONCARD_SCENARIO",
+      "已跳过：Windows 上 oncard 不启动主机程序：请将 gts.dll 放在主机程序旁，用变量 "
+      "ONCARD_SCENARIO 给出场景，再自行启动"};
 }
 
 }  // namespace oncard::tools

@@ -1,6 +1,6 @@
-// Host programs as tests: builds the host of a scenario and runs it under `oncard exec`, where
-// there is that (host_tests.cc; elsewhere host_tests_windows.cc). Tested by
-// tests/tools/host_tests_test.cc.
+// Host programs as tests: builds the host of a scenario and runs it under `oncard exec`.
+// host_tests.cc does, where there is that command; elsewhere host_tests_absent.cc skips the test.
+// Tested by tests/tools/host_tests_test.cc.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ set(sources
   folders.cc
   gnuplot.cc
   gnuplot_remedy_wasi.cc
-  host_tests_wasi.cc
+  host_tests_absent.cc
   invocation.cc
   isolation_wasi.cc
   lower_command.cc
