@@ -1,4 +1,4 @@
-// Commands that need more of a system than WebAssembly has: each says what to use in its place.
+// In place of exec_command.cc and serve_command.cc in WebAssembly: what to use instead.
 #include "tools/absent_command.h"
 #include "tools/host_tests.h"
 
@@ -22,21 +22,6 @@ void AddServe(CLI::App& app, Invocation& invocation) {
       {"'serve' needs an installed oncard; the playground also runs as a page without it: "
        "docs/playground.md",
        "“serve”需要安装的 oncard；练习页面也可不经它单独使用：docs/playground.md"});
-}
-
-void AddEni(CLI::App& app, Invocation& invocation) {
-  AddAbsentCommand(app, invocation, "eni",
-                   {"write the ENI file of a scenario (not in the oncard of npm)",
-                    "输出场景的 ENI 文件（npm 版 oncard 不含）"},
-                   {"'eni' needs an installed oncard", "“eni”需要安装的 oncard"});
-}
-
-void AddDoctor(CLI::App& app, Invocation& invocation) {
-  AddAbsentCommand(app, invocation, "doctor",
-                   {"show the capabilities of a build (not in the oncard of npm)",
-                    "显示本构建的能力（npm 版 oncard 不含）"},
-                   {"'doctor' needs an installed oncard; --version says which one this is",
-                    "“doctor”需要安装的 oncard；版本可用 --version 查看"});
 }
 
 Message WhyNoHostTests() {

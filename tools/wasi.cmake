@@ -8,6 +8,7 @@ set(sources
   ${PROJECT_SOURCE_DIR}/base/files.cc
   ${PROJECT_SOURCE_DIR}/explore/host_exploration.cc
   ${PROJECT_SOURCE_DIR}/runtime/host/call_log.cc
+  ${PROJECT_SOURCE_DIR}/runtime/host/eni_writer.cc
   absent_command.cc
   absent_commands_wasi.cc
   app.cc
@@ -16,7 +17,9 @@ set(sources
   command_tree.cc
   compile_arguments.cc
   debug_command.cc
+  doctor_command.cc
   dump_command.cc
+  eni_command.cc
   explain_command.cc
   explore_command.cc
   explore_options.cc
@@ -64,7 +67,11 @@ oncard_texts(oncard_cli_wasm new_templates.inc ${new_templates})
 set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -fexceptions)
 set_target_properties(oncard_cli_wasm PROPERTIES OUTPUT_NAME oncard-cli SUFFIX .wasm UNITY_BUILD OFF)
 target_compile_definitions(oncard_cli_wasm PRIVATE
-  ONCARD_VERSION="${PROJECT_VERSION}" CLI11_HAS_FILESYSTEM=0 _WASI_EMULATED_SIGNAL)
+  ONCARD_VERSION="${PROJECT_VERSION}"
+  ONCARD_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+  ONCARD_BUILD_TYPE="${CMAKE_BUILD_TYPE}"
+  ONCARD_EIGEN_VERSION="" ONCARD_FAST_FLOAT_VERSION="" ONCARD_HTTPLIB_VERSION=""
+  CLI11_HAS_FILESYSTEM=0 _WASI_EMULATED_SIGNAL)
 target_compile_options(oncard_cli_wasm PRIVATE
   -Oz -include ${CMAKE_CURRENT_SOURCE_DIR}/file_streams_wasi.h)
 target_include_directories(oncard_cli_wasm SYSTEM PRIVATE ${CLI11_INCLUDE_DIR})
