@@ -6,8 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
-
-#include "tools/columns.h"
+#include <initializer_list>
 
 namespace oncard::tools {
 namespace {
@@ -34,13 +33,6 @@ void PrepareStreams() {
     ::SetConsoleOutputCP(CP_UTF8);
     std::atexit(PutCodePageBack);
   }
-}
-
-int OutputWidth() {
-  if (const int wished = WishedColumns(); wished > 0) return wished;
-  CONSOLE_SCREEN_BUFFER_INFO info;
-  if (::GetConsoleScreenBufferInfo(::GetStdHandle(STD_OUTPUT_HANDLE), &info) == 0) return 0;
-  return info.srWindow.Right - info.srWindow.Left + 1;
 }
 
 bool ErrorsGoToTerminal() {

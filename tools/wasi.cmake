@@ -40,6 +40,7 @@ set(sources
   new_command.cc
   new_templates.cc
   out_of_memory.cc
+  output_width.cc
   packaging_commands.cc
   packed_outcome.cc
   picture_names.cc
@@ -56,7 +57,8 @@ set(sources
   stop_signal_numbers.cc
   stop_signals.cc
   system_wasi.cc
-  terminal_wasi.cc
+  terminal.cc
+  terminal_width_wasi.cc
   test_command.cc
   test_report.cc
   unnamed_search.cc

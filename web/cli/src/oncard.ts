@@ -27,21 +27,13 @@ function commandLine(): CommandLine {
     if (value !== undefined) environment[name] = value;
   }
   environment["PWD"] = slashes(process.cwd());
-  environment["COLUMNS"] = String(columns(environment["COLUMNS"]));
+  environment["ONCARD_TERMINAL_WIDTH"] = String(isatty(1) ? process.stdout.columns : 0);
   if (onWindows) {
     // Windows says neither in its environment.
     environment["LANG"] ??= Intl.DateTimeFormat().resolvedOptions().locale;
     environment["TERM"] ??= "windows";
   }
   return { args: process.argv.slice(2).map(slashes), environment };
-}
-
-/** How wide the output may be: as tools/terminal.cc. */
-function columns(wish: string | undefined): number {
-  const columnsMin = 40;
-  const wished = Number(wish);
-  if (Number.isInteger(wished) && wished >= columnsMin) return wished;
-  return isatty(1) ? process.stdout.columns : 0;
 }
 
 function run(): number {
