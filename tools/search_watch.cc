@@ -1,4 +1,4 @@
-// With a thread that watches, and signals that end the search. See search_watch_wasi.cc.
+// With a thread that watches, and signals that end the search.
 #include "tools/search_watch.h"
 
 #include <algorithm>
@@ -26,9 +26,7 @@ extern "C" void StopSearch(int signal) {
   progress->stop = true;
 }
 
-}  // namespace
-
-class SearchWatch::Watcher {
+class Watcher {
  public:
   Watcher(const Invocation& invocation, const WatchOptions& options,
           explore::SearchProgress* progress)
@@ -71,9 +69,11 @@ class SearchWatch::Watcher {
   std::thread watching_;
 };
 
-SearchWatch::SearchWatch(const Invocation& invocation, const WatchOptions& options)
-    : watcher_(std::make_unique<Watcher>(invocation, options, &progress_)) {}
+}  // namespace
 
-SearchWatch::~SearchWatch() = default;
+std::shared_ptr<void> WatchSearch(const Invocation& invocation, const WatchOptions& options,
+                                  explore::SearchProgress* progress) {
+  return std::make_shared<Watcher>(invocation, options, progress);
+}
 
 }  // namespace oncard::tools

@@ -11,12 +11,17 @@
 
 namespace oncard::tools {
 
+/// Watches a search until the last copy of what it returns ends: search_watch.cc in a thread, and
+/// with signals; search_watch_wasi.cc, where there are neither, when the search asks.
+std::shared_ptr<void> WatchSearch(const Invocation& invocation, const WatchOptions& options,
+                                  explore::SearchProgress* progress);
+
 /// Only one at a time. During its lifetime a signal stops the search; the same signal again ends
 /// the program as usual. An ignored SIGHUP (nohup) stays ignored.
 class SearchWatch {
  public:
-  SearchWatch(const Invocation& invocation, const WatchOptions& options);
-  ~SearchWatch();
+  SearchWatch(const Invocation& invocation, const WatchOptions& options)
+      : watcher_(WatchSearch(invocation, options, &progress_)) {}
   SearchWatch(const SearchWatch&) = delete;
   SearchWatch& operator=(const SearchWatch&) = delete;
 
@@ -28,10 +33,8 @@ class SearchWatch {
   bool out_of_memory() const { return progress_.out_of_memory; }
 
  private:
-  class Watcher;
-
   explore::SearchProgress progress_;
-  std::unique_ptr<Watcher> watcher_;
+  std::shared_ptr<void> watcher_;
 };
 
 }  // namespace oncard::tools

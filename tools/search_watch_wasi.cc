@@ -9,9 +9,7 @@ namespace {
 /// How often a search asks whether it is to end before the clock is looked at: some milliseconds.
 constexpr uint32_t kAskedMax = 1024;
 
-}  // namespace
-
-class SearchWatch::Watcher {
+class Watcher {
  public:
   Watcher(const Invocation& invocation, const WatchOptions& options,
           explore::SearchProgress* progress)
@@ -36,9 +34,11 @@ class SearchWatch::Watcher {
   uint32_t asked_ = 0;
 };
 
-SearchWatch::SearchWatch(const Invocation& invocation, const WatchOptions& options)
-    : watcher_(std::make_unique<Watcher>(invocation, options, &progress_)) {}
+}  // namespace
 
-SearchWatch::~SearchWatch() = default;
+std::shared_ptr<void> WatchSearch(const Invocation& invocation, const WatchOptions& options,
+                                  explore::SearchProgress* progress) {
+  return std::make_shared<Watcher>(invocation, options, progress);
+}
 
 }  // namespace oncard::tools
