@@ -5,17 +5,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "tools/child_process.h"
 #include "tools/packed_outcome.h"
+#include "tools/test_queue.h"
 
 namespace oncard::tools {
 namespace {
@@ -57,32 +56,26 @@ class IsolatedRuns {
  public:
   IsolatedRuns(const std::vector<IsolatedTest>& tests, const IsolationOptions& options,
                const std::atomic<bool>& stop)
-      : tests_(tests), options_(options), stop_(stop) {
-    for (const IsolatedTest& test : tests) outcomes_.push_back(test.named);
-  }
+      : tests_(tests), options_(options), stop_(stop), queue_(tests, options, stop) {}
 
   std::vector<TestOutcome> Run() {
-    const auto jobs = static_cast<size_t>(std::max(1, options_.jobs));
-    while (next_ < tests_.size() || !children_.empty()) {
-      while (next_ < tests_.size() && (stop_ || children_.size() < jobs)) Begin(next_++);
+    for (;;) {
+      while (const auto test = queue_.Next(children_.size())) Begin(*test);
+      if (children_.empty()) return queue_.TakeOutcomes();
       ReadSome();
       for (Child& child : children_) Hurry(&child);
       std::erase_if(children_, [](const Child& child) { return child.descriptor < 0; });
     }
-    return std::move(outcomes_);
   }
 
  private:
   void Begin(size_t test) {
-    TestOutcome& outcome = outcomes_[test];
-    if (stop_) return MarkNotRun(&outcome);
     int ends[2] = {};
     const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
     const pid_t self = ::getpid();
     const pid_t process = piped ? ::fork() : -1;
     if (process < 0) {
-      outcome.failures.push_back(MakeMessage("cannot start a process for it: {0}",
-                                             "无法为其启动进程：{0}", std::strerror(errno)));
+      queue_.NotStarted(test, std::strerror(errno));
       if (piped) {
         ::close(ends[0]);
         ::close(ends[1]);
@@ -137,16 +130,15 @@ class IsolatedRuns {
   }
 
   void End(Child* child) {
-    TestOutcome& outcome = outcomes_[child->test];
+    TestOutcome& outcome = queue_.outcome(child->test);
     ::close(child->descriptor);
     child->descriptor = -1;
     int status = 0;
     while (::waitpid(child->process, &status, 0) < 0 && errno == EINTR) {
     }
     if (status == 0 && UnpackOutcome(child->text, &outcome)) return;
-    outcome.interrupted = child->told_to_stop;
     if (child->told_to_stop) {
-      outcome.failures.push_back({"interrupted", "被中断"});
+      queue_.Interrupted(child->test);
     } else if (child->killed_at && Clock::now() >= *child->killed_at) {
       outcome.failures.push_back(TookTooLong(options_.timeout_s));
     } else {
@@ -157,14 +149,11 @@ class IsolatedRuns {
   const std::vector<IsolatedTest>& tests_;
   const IsolationOptions& options_;
   const std::atomic<bool>& stop_;
-  std::vector<TestOutcome> outcomes_;
+  TestQueue queue_;
   std::vector<Child> children_;
-  size_t next_ = 0;  // test to begin
 };
 
 }  // namespace
-
-int ProcessorCount() { return static_cast<int>(std::thread::hardware_concurrency()); }
 
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,

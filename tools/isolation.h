@@ -1,5 +1,7 @@
 // Runs tests in processes of their own, several at a time, so that a crash or an endless test
-// affects neither the others nor the report. Tested by tests/tools/isolation_test.cc.
+// affects neither the others nor the report: isolation.cc on Linux, isolation_windows.cc on
+// Windows, isolation_wasi.cc in WebAssembly, which has threads instead. Tested by
+// tests/tools/isolation_test.cc.
 #pragma once
 
 #include <atomic>
@@ -23,7 +25,8 @@ struct IsolationOptions {
   int timeout_s = 0;
 };
 
-/// How many tests this computer runs at the same time at best; 0: it does not say.
+/// How many tests this computer runs at the same time at best; 0: it does not say
+/// (processor_count.cc, processor_count_wasi.cc).
 int ProcessorCount();
 
 /// The outcomes in the order of the tests. Each child is the leader of a process group of its own,

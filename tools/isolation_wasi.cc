@@ -12,9 +12,6 @@
 
 extern "C" {
 
-// How many tests at a time are worth it.
-ONCARD_SYSTEM(processors) int32_t oncard_processors();
-
 // 1 in a command that was started to run tests.
 ONCARD_SYSTEM(runs_tests) int32_t oncard_runs_tests();
 // The number of the next test to run; -1: there is none.
@@ -54,8 +51,6 @@ Message DescribeTestEnd(int32_t end, const IsolationOptions& options) {
 }
 
 }  // namespace
-
-int ProcessorCount() { return oncard_processors(); }
 
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,

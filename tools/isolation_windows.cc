@@ -18,6 +18,7 @@
 #include "tools/invocation.h"
 #include "tools/isolation.h"
 #include "tools/packed_outcome.h"
+#include "tools/test_queue.h"
 
 namespace oncard::tools {
 namespace {
@@ -51,24 +52,19 @@ class IsolatedRuns {
  public:
   IsolatedRuns(const std::vector<IsolatedTest>& tests, const IsolationOptions& options,
                const std::atomic<bool>& stop)
-      : tests_(tests), options_(options), stop_(stop) {
-    for (const IsolatedTest& test : tests) outcomes_.push_back(test.named);
-  }
+      : options_(options), stop_(stop), queue_(tests, options, stop) {}
 
   std::vector<TestOutcome> Run() {
-    const auto jobs = static_cast<size_t>(std::max(1, options_.jobs));
-    while (next_ < tests_.size() || !running_.empty()) {
-      while (next_ < tests_.size() && (stop_ || running_.size() < jobs)) Begin(next_++);
+    for (;;) {
+      while (const auto test = queue_.Next(running_.size())) Begin(*test);
+      if (running_.empty()) return queue_.TakeOutcomes();
       std::erase_if(running_, [this](Running& running) { return HasEnded(running); });
       if (!running_.empty()) std::this_thread::sleep_for(kLook);
     }
-    return std::move(outcomes_);
   }
 
  private:
   void Begin(size_t test) {
-    TestOutcome& outcome = outcomes_[test];
-    if (stop_) return MarkNotRun(&outcome);
     Running running;
     running.test = test;
     running.output = ScratchFile();
@@ -78,9 +74,7 @@ class IsolatedRuns {
                    {.out = running.output.get(), .err = ::GetStdHandle(STD_ERROR_HANDLE)});
     ::SetEnvironmentVariableA(kVariable, nullptr);
     if (!started.ok()) {
-      outcome.failures.push_back(MakeMessage("cannot start a process for it: {0}",
-                                             "无法为其启动进程：{0}", started.error().message.en));
-      return;
+      return queue_.NotStarted(test, started.error().message.en);
     }
     running.process = std::move(started).value();
     if (options_.timeout_s > 0) {
@@ -106,13 +100,12 @@ class IsolatedRuns {
   }
 
   void Report(const Running& running, bool killed) {
-    TestOutcome& outcome = outcomes_[running.test];
+    TestOutcome& outcome = queue_.outcome(running.test);
     DWORD code = 0;
     ::GetExitCodeProcess(running.process.get(), &code);
     if (code == 0 && UnpackOutcome(ContentOf(running.output), &outcome)) return;
-    outcome.interrupted = stop_;
     if (stop_) {
-      outcome.failures.push_back({"interrupted", "被中断"});
+      queue_.Interrupted(running.test);
     } else if (killed) {
       outcome.failures.push_back(TookTooLong(options_.timeout_s));
     } else if (code >= kExceptions) {
@@ -122,12 +115,10 @@ class IsolatedRuns {
     }
   }
 
-  const std::vector<IsolatedTest>& tests_;
   const IsolationOptions& options_;
   const std::atomic<bool>& stop_;
-  std::vector<TestOutcome> outcomes_;
+  TestQueue queue_;
   std::vector<Running> running_;
-  size_t next_ = 0;  // test to begin
 };
 
 /// In a process that was started for one test.
@@ -139,8 +130,6 @@ class IsolatedRuns {
 }
 
 }  // namespace
-
-int ProcessorCount() { return static_cast<int>(std::thread::hardware_concurrency()); }
 
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,

@@ -51,11 +51,6 @@ bool UnpackOutcome(std::string_view text, TestOutcome* outcome) {
   return true;
 }
 
-void MarkNotRun(TestOutcome* outcome) {
-  outcome->interrupted = true;
-  outcome->failures.push_back({"not run: interrupted", "未运行：被中断"});
-}
-
 Message TookTooLong(int limit_s) {
   return MakeMessage("it took longer than {0} s: --timeout sets the limit",
                      "耗时超过 {0} 秒：可用 --timeout 设定上限", limit_s);

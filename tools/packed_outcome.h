@@ -14,9 +14,6 @@ std::string PackedOutcomeOf(const std::function<TestOutcome()>& work);
 /// Takes all but the names of the test. False if the text is incomplete.
 bool UnpackOutcome(std::string_view text, TestOutcome* outcome);
 
-/// Marks a test that a signal has kept from its beginning.
-void MarkNotRun(TestOutcome* outcome);
-
 /// The failure of a test that took longer than its limit.
 Message TookTooLong(int limit_s);
 

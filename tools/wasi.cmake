@@ -44,6 +44,7 @@ set(sources
   packaging_commands.cc
   packed_outcome.cc
   picture_names.cc
+  processor_count_wasi.cc
   program_warnings.cc
   project_session.cc
   replay_command.cc
