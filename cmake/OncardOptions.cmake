@@ -48,3 +48,18 @@ if(ONCARD_SANITIZE)
     target_compile_options(oncard_options INTERFACE -Wno-maybe-uninitialized)
   endif()
 endif()
+# oncard_system_sources(result name ...): what each system does in its own way. Of a name's sources, name.cc
+# and those such as name_windows.cc and name_wasi.cc, a build takes the one that ends in ONCARD_SYSTEM, or
+# name.cc if there is none.
+function(oncard_system_sources result)
+  set(sources)
+  foreach(name IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH name BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    if(EXISTS ${path}${ONCARD_SYSTEM}.cc)
+      list(APPEND sources ${path}${ONCARD_SYSTEM}.cc)
+    else()
+      list(APPEND sources ${path}.cc)
+    endif()
+  endforeach()
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()

@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kVariable = "ONCARD_ISOLATED_TEST";
 /// How often it is checked which processes have ended, and how long they may take to end. Ctrl-C
 /// reaches them, too.
-constexpr auto kLook = std::chrono::milliseconds(5);
+constexpr int kLookMs = 5;
 constexpr auto kTimeToEnd = std::chrono::seconds(2);
 /// The exit code of a process that was killed.
 constexpr UINT kKilled = 1;
@@ -59,7 +59,7 @@ class IsolatedRuns {
       while (const auto test = queue_.Next(running_.size())) Begin(*test);
       if (running_.empty()) return queue_.TakeOutcomes();
       std::erase_if(running_, [this](Running& running) { return HasEnded(running); });
-      if (!running_.empty()) std::this_thread::sleep_for(kLook);
+      if (!running_.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(kLookMs));
     }
   }
 
