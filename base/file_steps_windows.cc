@@ -1,6 +1,7 @@
 // In place of file_steps.cc on Windows. A file is kept from Sweep() by keeping it open: nobody may
 // then open it alone. The system has neither modes nor owners that a new file could take over: it
-// gets the rights that its folder gives.
+// gets the rights that its folder gives. It takes the place of a symbolic link, which Linux
+// follows.
 #define _CRT_RAND_S  // of stdlib.h: rand_s(), the system's random numbers
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 // Whole-file access. Reading takes regular files only and no more of them than their kind allows.
 // Writing is atomic: a reader sees the old content or the new one, never a part, and a failed write
 // leaves the old file as it was. Every function may be called from several threads and processes at
-// once.
+// once. What a system cannot do of this is in file_steps_windows.cc and file_steps_wasi.cc.
 #pragma once
 
 #include <string>

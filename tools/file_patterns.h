@@ -1,4 +1,4 @@
-// Files by patterns, as a shell would find them: file_patterns.cc on Linux,
+// Files by patterns, as a shell would find them: file_patterns.cc on Linux and in WebAssembly,
 // file_patterns_windows.cc on Windows.
 #pragma once
 

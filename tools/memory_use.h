@@ -1,4 +1,5 @@
-// How much memory this process has, and how much there is. Tested by
+// How much memory this process has, and how much there is: memory_use.cc on Linux,
+// memory_use_windows.cc on Windows, memory_use_wasi.cc in WebAssembly. Tested by
 // tests/tools/memory_use_test.cc.
 #pragma once
 

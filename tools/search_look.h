@@ -1,5 +1,5 @@
 // What is looked at from time to time while a search runs: its progress is shown, it pauses to be
-// saved, and it ends early when its limit of time or memory is reached. For search_watch.cc.
+// saved, and it ends early when its limit of time or memory is reached. For search_watch.h.
 #pragma once
 
 #include <atomic>
