@@ -1,7 +1,7 @@
 // Tests in commands of their own, several at a time, as tools/isolation_wasi.cc describes it: each
 // worker thread starts the command again, which takes one test after the other.
 
-import { availableParallelism, cpus } from "node:os";
+import { availableParallelism } from "node:os";
 import {
   MessageChannel,
   type MessagePort,
@@ -26,7 +26,9 @@ interface WorkerTask {
   module: WebAssembly.Module;
   line: CommandLine;
   shared: Int32Array;
-  /** Where the worker says in `shared` which test it runs. */
+  /**
+   * Where the worker says in `shared` which test it runs. Who clears it says how the test ended.
+   */
   slot: number;
   port: MessagePort;
 }
@@ -41,11 +43,6 @@ interface Running {
   /** The test that it was seen to run, and since when. */
   test: number;
   since: number;
-}
-
-// Node 18.18 has availableParallelism(), which counts what the process may use.
-function processors(): number {
-  return typeof availableParallelism === "function" ? availableParallelism() : cpus().length;
 }
 
 /** For the command that was called: it has its tests run by others. */
@@ -64,7 +61,7 @@ export class TestRunner implements TestImports {
   }
 
   processors(): number {
-    return processors();
+    return availableParallelism();
   }
 
   runs_tests(): number {
@@ -140,13 +137,11 @@ export class TestRunner implements TestImports {
         each.since = performance.now();
       }
       if (test === none || performance.now() - each.since < timeoutSeconds * 1000) return;
+      // It may just end in time: then the worker is first.
+      if (Atomics.compareExchange(shared, each.slot, test, none) !== test) return;
       void each.worker.terminate();
-      // It may just have ended in time.
-      this.#hear(each);
-      if (this.#outcomes[test] === End.crashed) {
-        this.#outcomes[test] = End.tookTooLong;
-        ++this.#done;
-      }
+      this.#outcomes[test] = End.tookTooLong;
+      ++this.#done;
       running[i] = this.#start(shared, each.slot);
     });
   }
@@ -155,6 +150,9 @@ export class TestRunner implements TestImports {
 /** For a command in a worker. */
 class TestWorker implements TestImports {
   readonly #task: WorkerTask;
+  #test: number = none;
+  /** Another worker goes on, as a test took too long. */
+  #replaced = false;
 
   constructor(task: WorkerTask) {
     this.#task = task;
@@ -162,11 +160,11 @@ class TestWorker implements TestImports {
 
   /** The test that is run; -1: none. */
   get test(): number {
-    return Atomics.load(this.#task.shared, this.#task.slot);
+    return this.#test;
   }
 
   processors(): number {
-    return processors();
+    return availableParallelism();
   }
 
   runs_tests(): number {
@@ -175,14 +173,15 @@ class TestWorker implements TestImports {
 
   next_test(): number {
     const { shared, slot } = this.#task;
+    if (this.#replaced) return none;
     const test = Atomics.add(shared, Shared.next, 1);
-    const taken = test < Atomics.load(shared, Shared.count) ? test : none;
-    Atomics.store(shared, slot, taken);
-    return taken;
+    if (test >= Atomics.load(shared, Shared.count)) return none;
+    Atomics.store(shared, slot, test);
+    return (this.#test = test);
   }
 
-  give_outcome(test: number, outcome: Uint8Array): void {
-    this.end({ test, outcome });
+  give_outcome(_test: number, outcome: Uint8Array): void {
+    this.end(outcome);
   }
 
   run_tests(): void {
@@ -197,9 +196,17 @@ class TestWorker implements TestImports {
     return new Uint8Array();
   }
 
-  end(news: News): void {
-    const { port, shared, slot } = this.#task;
-    Atomics.store(shared, slot, none);
+  /** The test that is run has ended. */
+  end(outcome: Uint8Array | number): void {
+    const { shared, slot } = this.#task;
+    const test = this.#test;
+    this.#test = none;
+    this.#replaced = Atomics.compareExchange(shared, slot, test, none) !== test;
+    if (!this.#replaced) this.tell({ test, outcome });
+  }
+
+  tell(news: News): void {
+    const { port, shared } = this.#task;
     port.postMessage(news);
     Atomics.add(shared, Shared.news, 1);
     Atomics.notify(shared, Shared.news);
@@ -214,13 +221,11 @@ export function runTests(): void {
     let end: number = End.crashed;
     try {
       end = End.exited - runCommand(task.module, task.line, tests);
-    } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError))
-        throw error;
+    } catch {
+      // Whatever it is: who waits for this thread hears of no error that ends it.
     }
-    const { test } = tests;
-    if (test === none) break;
-    tests.end({ test, outcome: end });
+    if (tests.test === none) break;
+    tests.end(end);
   }
-  tests.end({ over: true });
+  tests.tell({ over: true });
 }
