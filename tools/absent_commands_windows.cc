@@ -1,30 +1,24 @@
-// In place of exec_command.cc and serve_command.cc on Windows: what is there instead.
-#include "tools/absent_command.h"
+#include "tools/absent_commands.h"
 #include "tools/host_tests.h"
 
 namespace oncard::tools {
-namespace {
 
-Message NotOnWindows() { return {"(not on Windows)", "（Windows 上没有）"}; }
+Message absent::Note() { return {"not on Windows", "Windows 上没有"}; }
 
-}  // namespace
-
-void AddExec(CLI::App& app, Invocation& invocation) {
-  AddAbsentCommand(
-      app, invocation, "exec", NotOnWindows(),
-      {"there is no 'exec' on Windows: put gts.dll beside the host, set ONCARD_SCENARIO to the "
-       "scenario, and ONCARD_CLOCK, ONCARD_TRACE and others as needed, and start the host",
-       "Windows 上没有“exec”：请将 gts.dll 放在主机程序旁，用 ONCARD_SCENARIO 给出场景，按需设置 "
-       "ONCARD_CLOCK、ONCARD_TRACE 等变量，再启动主机程序"});
+Message absent::InsteadOfExec() {
+  return {
+      "there is no 'exec' on Windows: put gts.dll beside the host, set ONCARD_SCENARIO to the "
+      "scenario, and ONCARD_CLOCK, ONCARD_TRACE and others as needed, and start the host",
+      "Windows 上没有“exec”：请将 gts.dll 放在主机程序旁，用 ONCARD_SCENARIO 给出场景，按需设置 "
+      "ONCARD_CLOCK、ONCARD_TRACE 等变量，再启动主机程序"};
 }
 
-void AddServe(CLI::App& app, Invocation& invocation) {
-  AddAbsentCommand(
-      app, invocation, "serve", NotOnWindows(),
-      {"there is no 'serve' on Windows: use the playground with its own engine, or 'oncard "
-       "serve' on a computer with Linux, such as WSL",
-       "Windows 上没有“serve”：请使用自带引擎的练习页面，或在 Linux（例如 WSL）上运行“oncard "
-       "serve”"});
+Message absent::InsteadOfServe() {
+  return {
+      "there is no 'serve' on Windows: use the playground with its own engine, or 'oncard "
+      "serve' on a computer with Linux, such as WSL",
+      "Windows 上没有“serve”：请使用自带引擎的练习页面，或在 Linux（例如 WSL）上运行“oncard "
+      "serve”"};
 }
 
 Message WhyNoHostTests() {
