@@ -13,10 +13,9 @@ Result<std::shared_ptr<const vm::Schedule>> ReadSchedule(const std::string& path
                                                          const Files& files) {
   const auto text = files.Read(path);
   if (!text.ok()) return text.error();
-  auto schedule = vm::ParseSchedule(text.value());
-  if (schedule.ok()) return std::make_shared<const vm::Schedule>(std::move(schedule).value());
-  const Message& why = schedule.error().message;
-  return Error{1, {path + ": " + why.en, path + "：" + why.zh}};
+  auto schedule = vm::ParseScheduleFile(path, text.value());
+  if (!schedule.ok()) return schedule.error();
+  return std::make_shared<const vm::Schedule>(std::move(schedule).value());
 }
 
 /// Reads the scenario, which may come from a recording.

@@ -142,13 +142,17 @@ Result<Schedule> ParseSchedule(std::string_view text) {
   return BadLine(reader, "'end': the file is truncated", "“end”：文件不完整");
 }
 
-Result<Schedule> LoadSchedule(const std::string& path) {
-  const auto text = ReadFile(path, kScheduleKind);
-  if (!text.ok()) return text.error();
-  auto schedule = ParseSchedule(text.value());
+Result<Schedule> ParseScheduleFile(const std::string& path, std::string_view text) {
+  auto schedule = ParseSchedule(text);
   if (schedule.ok()) return schedule;
   const Message& message = schedule.error().message;
   return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
+}
+
+Result<Schedule> LoadSchedule(const std::string& path) {
+  const auto text = ReadFile(path, kScheduleKind);
+  if (!text.ok()) return text.error();
+  return ParseScheduleFile(path, text.value());
 }
 
 }  // namespace oncard::vm

@@ -62,6 +62,9 @@ std::string FormatSchedule(const Schedule& schedule);
 /// Reads it back. The error names the line.
 Result<Schedule> ParseSchedule(std::string_view text);
 
+/// The same for the text of a file; errors begin with its path.
+Result<Schedule> ParseScheduleFile(const std::string& path, std::string_view text);
+
 /// Reads a schedule file; errors begin with its path.
 Result<Schedule> LoadSchedule(const std::string& path);
 
