@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "explore/failure_files.h"
+#include "explore/question.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/file/search_names.h"
 #include "tools/memory_use.h"
@@ -89,58 +89,34 @@ Result<explore::ExploreOptions> OptionsOf(const SearchWish& wish,
   return options;
 }
 
-/// What is explored, and what must hold.
-struct Question {
-  runtime::Scenario scenario;
-  std::vector<runtime::Requirement> requirements;
-};
-
-/// A program by itself says in its comments what must hold.
-Result<Question> QuestionOf(const Source& source, const SearchWish& wish,
-                            const session::Project& project, std::string_view text) {
-  Question question;
-  if (project.scenario.program == source.main) {
-    auto read = explore::ReadComments(source.main, text, *project.compilation.object);
-    if (!read.ok()) return read.error();
-    question = {std::move(read.value().scenario), std::move(read.value().requirements)};
-    question.scenario.structured = project.scenario.structured;
-  } else {
-    question = {project.scenario, runtime::RequirementsOf(project.scenario)};
-  }
+/// That of the file, with what is asked beyond it.
+Result<explore::Question> QuestionOf(const Source& source, const SearchWish& wish,
+                                     const session::Project& project, std::string_view text) {
+  auto question =
+      explore::QuestionOf(source.main, project.scenario, text, *project.compilation.object);
+  if (!question.ok()) return question;
+  auto& [scenario, requirements] = question.value();
   if (!wish.races.empty()) {
-    question.scenario.races = wish.races;
-    question.scenario.text_places.erase("races");
+    scenario.races = wish.races;
+    scenario.text_places.erase("races");
   }
-  question.requirements.insert(question.requirements.end(), wish.requirements.begin(),
-                               wish.requirements.end());
+  requirements.insert(requirements.end(), wish.requirements.begin(), wish.requirements.end());
   return question;
 }
 
-Result<explore::Findings> Search(const SearchWish& wish, const Question& question,
+Result<explore::Findings> Search(const SearchWish& wish, const explore::Question& question,
                                  const vm::Object& object, std::string_view text,
                                  const session::Files& files, explore::SearchProgress* progress) {
   const runtime::ExploreWish wished = question.scenario.explore.value_or(runtime::ExploreWish{});
   if (wish.engine.empty() && !wished.follow.empty()) {
-    const auto read = files.Read(runtime::PathFromScenario(question.scenario, wished.follow));
-    if (!read.ok()) return read.error();
-    const auto schedule = vm::ParseSchedule(read.value());
-    if (!schedule.ok()) return schedule.error();
-    return explore::FollowSchedule(question.scenario, question.requirements, object, text,
-                                   schedule.value());
+    return explore::FollowWished(question, object, text,
+                                 [&files](const std::string& path) { return files.Read(path); });
   }
   auto options = OptionsOf(wish, wished);
   if (!options.ok()) return options.error();
   options.value().progress = progress;
   return explore::ExploreScenario(question.scenario, question.requirements, object,
                                   options.value());
-}
-
-/// `dir/lost.toml`: `dir/lost.schedule`.
-std::string ScheduleBeside(const std::string& path) {
-  const size_t folder = path.rfind('/') + 1;
-  const size_t ending = path.rfind('.');
-  const bool has_ending = ending != std::string::npos && ending > folder;
-  return path.substr(0, has_ending ? ending : path.size()) + ".schedule";
 }
 
 }  // namespace
@@ -162,23 +138,17 @@ Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
     return outcome;
   }
   const vm::Object& object = *project.value().compilation.object;
-  explore::ProgramText text;
-  if (!project.value().compilation.files.empty()) {
-    text = explore::TextOf(project.value().compilation);
-  }
+  explore::ProgramText text = explore::TextOf(project.value().compilation);
   const auto question = QuestionOf(source, wish, project.value(), text.text);
   if (!question.ok()) return question.error();
-  const runtime::Scenario& scenario = question.value().scenario;
   auto found = Search(wish, question.value(), object, text.text, files, progress);
   if (!found.ok()) return found.error();
   explore::Findings& findings = found.value();
   findings.source = std::move(text);
-  outcome.warnings =
-      tools::ProgramWarnings(findings, silent.value(), runtime::ProgramPath(scenario));
+  outcome.warnings = tools::ProgramWarnings(findings, silent.value(),
+                                            runtime::ProgramPath(question.value().scenario));
   if (findings.exploration.failure) {
-    auto schedule = explore::FailureSchedule(
-        {scenario, question.value().requirements, object, findings.source.text}, findings,
-        ScheduleBeside(source.main));
+    auto schedule = explore::FailureScheduleBeside(source.main, question.value(), object, findings);
     if (!schedule.ok()) return schedule.error();
     outcome.schedule = std::move(schedule).value();
   }

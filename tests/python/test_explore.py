@@ -73,6 +73,16 @@ def test_reports_are_those_of_the_command(samples):
     assert proof.warnings == []
 
 
+def test_a_schedule_that_is_followed_is_a_file():
+    scenario = {**SCENARIO, "final": ["count == 2"], "explore": {"follow": "lost.schedule"}}
+    files = {"count.c": COUNT, "lost.schedule": explore(final="count == 2").schedule}
+    assert oncard.explore(scenario, files=files).verdict == "FAILED"
+    files["lost.schedule"] = "no schedule"
+    with pytest.raises(oncard.Error, match="^lost.schedule: ") as caught:
+        oncard.explore(scenario, files=files)
+    assert caught.value.message_zh.startswith("lost.schedule：")
+
+
 def test_a_search_that_is_cut_is_incomplete():
     assert explore(engine="dpor", max_executions=1, final="count >= 1").verdict == "INCOMPLETE"
 

@@ -6,10 +6,10 @@
 
 #include "base/json_text.h"
 #include "compiler/diagnostic_printer.h"
-#include "explore/failure_files.h"
+#include "explore/question.h"
 #include "explore/reports/report.h"
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/file/scenario.h"
 #include "session/arguments.h"
 #include "session/project.h"
 
@@ -21,48 +21,16 @@ using session::Json;
 /// So many states of any program fit into the memory of a module, at most 4 GiB.
 constexpr uint32_t kStateLimit = 2'000'000;
 
-/// What is explored, and the requirements that must hold.
-struct Subject {
-  runtime::Scenario scenario;
-  std::vector<runtime::Requirement> requirements;
-};
-
-/// The requirements of a scenario, or of the comments in a program that is explored by itself.
-Result<Subject> SubjectOf(const std::string& main, const std::string& source,
-                          const session::Project& project) {
-  if (main.ends_with(".toml")) {
-    return Subject{project.scenario, runtime::RequirementsOf(project.scenario)};
-  }
-  auto read = explore::ReadComments(main, source, *project.compilation.object);
-  if (!read.ok()) return read.error();
-  Subject subject{std::move(read.value().scenario), std::move(read.value().requirements)};
-  subject.scenario.structured = project.scenario.structured;
-  return subject;
-}
-
-Result<explore::Findings> Search(const Subject& subject, const std::string& source,
+Result<explore::Findings> Search(const explore::Question& question, const std::string& source,
                                  const vm::Object& object, const session::Files& files) {
-  const runtime::Scenario& scenario = subject.scenario;
-  const runtime::ExploreWish wish = scenario.explore.value_or(runtime::ExploreWish{});
+  const runtime::ExploreWish wish = question.scenario.explore.value_or(runtime::ExploreWish{});
   if (!wish.follow.empty()) {
-    const auto text = files.Read(runtime::PathFromScenario(scenario, wish.follow));
-    if (!text.ok()) return text.error();
-    const auto schedule = vm::ParseSchedule(text.value());
-    if (!schedule.ok()) return schedule.error();
-    return explore::FollowSchedule(scenario, subject.requirements, object, source,
-                                   schedule.value());
+    return explore::FollowWished(question, object, source,
+                                 [&files](const std::string& path) { return files.Read(path); });
   }
   explore::ExploreOptions options = explore::OptionsOf(wish);
   options.state_limit = std::min(options.state_limit, kStateLimit);
-  return explore::ExploreScenario(scenario, subject.requirements, object, options);
-}
-
-/// The schedule file of a failure, beside `main`.
-Result<std::string> ScheduleBeside(std::string_view main, const Subject& subject,
-                                   const vm::Object& object, const explore::Findings& findings) {
-  const std::string path = std::string(main.substr(0, main.rfind('.'))) + ".schedule";
-  return explore::FailureSchedule(
-      {subject.scenario, subject.requirements, object, findings.source.text}, findings, path);
+  return explore::ExploreScenario(question.scenario, question.requirements, object, options);
 }
 
 /// `language` becomes that of the request, `missing` the files that it needs and did not bring.
@@ -85,16 +53,18 @@ Result<Json> Explore(const Json& json, Language* language, std::vector<std::stri
   if (!compilation.ok()) return answer;
 
   explore::ProgramText source = explore::TextOf(compilation);
-  auto subject = SubjectOf(main, source.text, project.value());
-  if (!subject.ok()) return subject.error();
-  auto findings = Search(subject.value(), source.text, *compilation.object, files);
+  const vm::Object& object = *compilation.object;
+  const auto question = explore::QuestionOf(main, project.value().scenario, source.text, object);
+  if (!question.ok()) return question.error();
+  auto findings = Search(question.value(), source.text, object, files);
   *missing = files.missing();
   if (!findings.ok()) return findings.error();
   findings.value().source = std::move(source);
   answer["report"] = Json::parse(explore::JsonReport(findings.value()));
   answer["text"] = explore::TextReport(findings.value(), *language);
   if (findings.value().exploration.failure) {
-    auto schedule = ScheduleBeside(main, subject.value(), *compilation.object, findings.value());
+    auto schedule =
+        explore::FailureScheduleBeside(main, question.value(), object, findings.value());
     if (!schedule.ok()) return schedule.error();
     answer["schedule"] = std::move(schedule).value();
   }
