@@ -27,6 +27,7 @@
 #include "runtime/scenario/run/result_json.h"
 #include "session/host.h"
 #include "tools/project_session.h"
+#include "tools/search_limits.h"
 #include "vm/object_writer.h"
 
 namespace oncard::python {
@@ -202,7 +203,7 @@ SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool s
   wish.all = all;
   wish.silent = silent;
   explore::SearchProgress progress;
-  SearchLimits limits(seconds, memory_mib, &progress);
+  tools::SearchLimits limits(seconds, memory_mib, 1, &progress);
   const auto stop = [&progress] {
     progress.interrupted = true;
     progress.hurried = true;

@@ -9,15 +9,10 @@
 #include "explore/question.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/file/search_names.h"
-#include "tools/memory_use.h"
 #include "tools/program_warnings.h"
 
 namespace oncard::python {
 namespace {
-
-constexpr int64_t kMiB = int64_t{1} << 20;
-/// What has been found when the time is over is made simpler for so much of the limit at most.
-constexpr double kForSimplifying = 0.06;
 
 /// A setting with its range, which is that of the option of `oncard explore`.
 struct Setting {
@@ -155,30 +150,6 @@ Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
   outcome.findings = std::move(findings);
   outcome.compilation = std::move(project.value().compilation);
   return outcome;
-}
-
-SearchLimits::SearchLimits(double seconds, int64_t memory_mib, explore::SearchProgress* progress)
-    : seconds_(seconds),
-      memory_(memory_mib * kMiB),
-      progress_(progress),
-      start_(std::chrono::steady_clock::now()) {
-  if (memory_mib > 0) return;
-  const std::optional<int64_t> left = tools::MemoryLeft();
-  memory_ = left ? tools::MemoryInUse() + *left / 2 : INT64_MAX;
-}
-
-void SearchLimits::Look() {
-  const auto end = [this](std::atomic<bool>* why) {
-    *why = true;
-    progress_->interrupted = true;
-    progress_->stop = true;
-  };
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  if (seconds_ > 0 && passed.count() >= seconds_) {
-    if (!progress_->out_of_time) end(&progress_->out_of_time);
-    if (passed.count() >= seconds_ * (1 + kForSimplifying)) progress_->hurried = true;
-  }
-  if (!progress_->out_of_memory && tools::MemoryInUse() > memory_) end(&progress_->out_of_memory);
 }
 
 }  // namespace oncard::python

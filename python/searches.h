@@ -2,7 +2,6 @@
 // several threads. Tested by tests/python/test_explore.py.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,19 +42,5 @@ struct SearchOutcome {
 /// everything that does not fit the program, and with settings that the engine cannot use.
 Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
                               explore::SearchProgress* progress);
-
-/// Ends a search at its limits of time and memory. To be looked at from time to time.
-class SearchLimits {
- public:
-  /// `seconds` 0: no limit; `memory_mib` 0: half of what is free.
-  SearchLimits(double seconds, int64_t memory_mib, explore::SearchProgress* progress);
-  void Look();
-
- private:
-  double seconds_;
-  int64_t memory_;  ///< bytes that the process may occupy
-  explore::SearchProgress* progress_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 }  // namespace oncard::python

@@ -2,18 +2,15 @@
 // saved, and it ends early when its limit of time or memory is reached. For search_watch.h.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
 
 #include "explore/engines/progress.h"
 #include "tools/invocation.h"
+#include "tools/search_limits.h"
 
 namespace oncard::tools {
-
-/// A larger limit of memory is refused.
-inline constexpr int64_t kMemoryMibMax = int64_t{1} << 30;
 
 struct WatchOptions {
   bool shows = false;      ///< shows the progress every second in a line on standard error
@@ -34,23 +31,16 @@ class SearchLook {
   bool Look();
 
   /// The time until the next look.
-  std::chrono::duration<double> Next() const;
+  std::chrono::duration<double> Next() const { return limits_.Next(); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// What the process may occupy, in bytes.
-  int64_t MemoryLimit() const;
-  /// The search ends; SearchProgress says why.
-  void End(std::atomic<bool>* why);
-
   const Invocation& invocation_;
   const WatchOptions options_;
   explore::SearchProgress* const progress_;
-  const int64_t memory_;
+  SearchLimits limits_;
   const Clock::time_point start_ = Clock::now();
-  const std::chrono::duration<double> given_;
-  const std::chrono::duration<double> searched_;
   Clock::time_point kept_ = start_;
   Clock::time_point shown_ = start_;
 };
