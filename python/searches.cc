@@ -14,7 +14,7 @@
 namespace oncard::python {
 namespace {
 
-/// A setting with its range, which is that of the option of `oncard explore`.
+/// A setting with its range: that of the option of `oncard explore`, but a seed has 63 bits.
 struct Setting {
   std::string_view option;
   const std::optional<int64_t>& value;
@@ -23,13 +23,12 @@ struct Setting {
 };
 
 std::vector<Setting> SettingsOf(const SearchWish& wish) {
-  constexpr int64_t kMost = 1'000'000'000'000;
-  return {{"--max-executions", wish.max_executions, 1, kMost},
-          {"--max-states", wish.max_states, 1, UINT32_MAX - 1},
-          {"--runs", wish.runs, 1, kMost},
+  return {{"--max-executions", wish.max_executions, 1, runtime::kSearchCountMax},
+          {"--max-states", wish.max_states, 1, runtime::kSearchStatesMax},
+          {"--runs", wish.runs, 1, runtime::kSearchCountMax},
           {"--seed", wish.seed, 0, INT64_MAX},
           {"--depth", wish.depth, 1, explore::kPctDepthMax},
-          {"--preemptions", wish.preemptions, 0, 1000}};
+          {"--preemptions", wish.preemptions, 0, runtime::kPreemptionsMax}};
 }
 
 /// `--max-states` as an argument of Python: `max_states`.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "explore/engines/sampler.h"
+#include "runtime/scenario/file/scenario_keys.h"
 #include "runtime/scenario/file/search_names.h"
 #include "tools/commands.h"
 #include "tools/search_watch.h"
@@ -38,7 +39,7 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                   invocation.Say({"maximum number of preemptions, for bounded (default 2)",
                                   "bounded 引擎的最大抢占次数（默认 2）"}))
       ->type_name("N")
-      ->check(CLI::Range(0, 1000).description(""));
+      ->check(CLI::Range(0, runtime::kPreemptionsMax).description(""));
   AddStructuredOption(command, invocation, arguments.structured);
   command.add_flag(
       "--merge-private", arguments.merge_private,
@@ -59,7 +60,7 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                   invocation.Say({"number of random schedules (default 10000)",
                                   "尝试的随机调度数（默认 10000）"}))
       ->type_name("N")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
+      ->check(CLI::Range(int64_t{1}, runtime::kSearchCountMax).description(""));
   command
       .add_option(
           "--seed", arguments.seed,
@@ -103,12 +104,12 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
       .add_option("--max-executions", arguments.execution_limit,
                   invocation.Say({"end the search after N executions", "执行次数上限"}))
       ->type_name("N")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
+      ->check(CLI::Range(int64_t{1}, runtime::kSearchCountMax).description(""));
   command
       .add_option("--max-states", arguments.state_limit,
                   invocation.Say({"end the search after N states", "状态数上限"}))
       ->type_name("N")
-      ->check(CLI::Range(1u, 4'000'000'000u).description(""));
+      ->check(CLI::Range(uint32_t{1}, runtime::kSearchStatesMax).description(""));
   command
       .add_option("--time", arguments.seconds,
                   invocation.Say({"end the search after this time and report what is known",

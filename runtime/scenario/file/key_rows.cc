@@ -1,5 +1,6 @@
 // The keys of a scenario file outside its world, each in a row.
 #include "runtime/scenario/file/key_table.h"
+#include "runtime/scenario/file/scenario_keys.h"
 #include "runtime/scenario/file/search_names.h"
 #include "vm/limits.h"
 
@@ -14,8 +15,6 @@ constexpr Words kNone = {"none", "无"};
 
 /// The largest `rate` for the longest cycle.
 constexpr int64_t kCycleStatementsMax = 4'000'000;
-constexpr int64_t kCountMax = 1'000'000'000'000;
-constexpr int64_t kStatesMax = 4'000'000'000;
 
 constexpr Key<Scenario> kScenarioKeys[] = {
     {{"program",
@@ -213,18 +212,18 @@ constexpr Key<ExploreWish> kWishKeys[] = {
      &ExploreWish::verdict,
      true},
     {{"max_executions",
-      KeyType::Whole(1, kCountMax),
+      KeyType::Whole(1, kSearchCountMax),
       {"limit of the engines `auto` and `dpor`", "`auto`、`dpor` 引擎的上限"},
       {"the engine's", "由引擎决定"}},
      &ExploreWish::max_executions},
     {{"max_states",
-      KeyType::Whole(1, kStatesMax),
+      KeyType::Whole(1, kSearchStatesMax),
       {"limit of the engines `auto`, `stateful` and `bounded`",
        "`auto`、`stateful`、`bounded` 引擎的上限"},
       {"the engine's", "由引擎决定"}},
      &ExploreWish::max_states},
     {{"runs",
-      KeyType::Whole(1, kCountMax),
+      KeyType::Whole(1, kSearchCountMax),
       {"number of runs of the engines `random`, `pct` and `pos`",
        "`random`、`pct`、`pos` 引擎的运行次数"},
       {"the engine's", "由引擎决定"}},

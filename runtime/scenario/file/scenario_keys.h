@@ -55,6 +55,11 @@ struct SearchSetting {
   bool UsedBy(std::string_view engine) const;
 };
 
+/// The largest values of settings, in scenarios and elsewhere.
+inline constexpr int64_t kSearchCountMax = 1'000'000'000'000;  ///< executions, runs
+inline constexpr uint32_t kSearchStatesMax = 4'000'000'000;
+inline constexpr int kPreemptionsMax = 1000;
+
 /// All of them, in the order of the documentation.
 std::span<const SearchSetting> SearchSettings();
 
