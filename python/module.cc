@@ -292,6 +292,7 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
             return TextOf(explore::HtmlReport(*outcome.findings, LanguageOf(chinese)));
           },
           py::arg("chinese"))
+      .def("cut", [](const SearchOutcome& outcome) { return outcome.cut; })
       .def("warnings", &WarningsOf, py::arg("chinese"))
       .def("schedule", [](const SearchOutcome& outcome) { return TextOf(outcome.schedule); });
   module.def("explore", &ExploreProgram, py::arg("main"), py::arg("files"), py::arg("structured"),

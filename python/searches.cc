@@ -139,6 +139,9 @@ Result<SearchOutcome> Explore(const Source& source, const SearchWish& wish,
   if (!found.ok()) return found.error();
   explore::Findings& findings = found.value();
   findings.source = std::move(text);
+  const explore::Verdict verdict = findings.exploration.verdict;
+  outcome.cut = progress->interrupted && verdict != explore::Verdict::kProved &&
+                verdict != explore::Verdict::kFailed;
   outcome.warnings = tools::ProgramWarnings(findings, silent.value(),
                                             runtime::ProgramPath(question.value().scenario));
   if (findings.exploration.failure) {

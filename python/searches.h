@@ -34,6 +34,7 @@ struct SearchWish {
 struct SearchOutcome {
   compiler::Compilation compilation;
   std::optional<explore::Findings> findings;  ///< if it was compiled
+  bool cut = false;  ///< a limit ended the search, which says nothing of what was asked
   std::vector<Message> warnings;
   std::string schedule;  ///< the text of a schedule file beside the input; empty: nothing failed
 };

@@ -22,6 +22,10 @@ from oncard import _oncard
 from oncard.errors import is_chinese
 
 
+# The time that an exploration may take, as that of `oncard test`.
+_SECONDS = 60.0
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addini(
         "oncard_scenarios", "folders with scenarios of oncard, each a test", "paths", default=[]
@@ -84,7 +88,14 @@ def _test_run(path: str) -> None:
 
 
 def _test_schedules(path: str, verdict: str) -> None:
-    exploration = oncard.explore(path, seconds=60)
+    exploration = oncard.explore(path, seconds=_SECONDS)
+    if exploration._exploration.cut():
+        raise ScenarioFailed(
+            f"搜索在完成前达到时间上限 {_SECONDS:g} 秒或内存上限"
+            if is_chinese()
+            else f"the search was ended by its limit of {_SECONDS:g} s or of memory before it was "
+            "complete"
+        )
     if exploration.verdict == verdict:
         return
     should = f"结论应为 {verdict}：" if is_chinese() else f"the verdict should be {verdict}:"

@@ -5,6 +5,9 @@ import shutil
 
 import pytest
 from conftest import SAMPLES
+from test_explore import LONG
+
+from oncard import pytest_plugin
 
 PROGRAM = "int sum;\nint main()\n{\n  sum = 3;\n}\n"
 
@@ -44,6 +47,20 @@ def test_scenarios_of_the_explorer_are_explored(pytester, project):
     result = run(pytester)
     result.assert_outcomes(passed=2, failed=1)
     result.stdout.fnmatch_lines(["the verdict should be PROVED:", "*sum is 3, expected 10*"])
+
+
+def test_a_search_that_is_cut_has_failed_whatever_is_expected(in_folder, monkeypatch):
+    (in_folder / "long.c").write_text(LONG["long.c"])
+    threads = "".join(
+        f'[[thread]]\nthread = {i}\nfunction = "count_up"\npage = {i}\n' for i in range(3)
+    )
+    (in_folder / "long.toml").write_text(
+        'program = "long.c"\nfinal = ["count >= 0"]\n'
+        f'explore = {{ verdict = "INCOMPLETE" }}\n{threads}'
+    )
+    monkeypatch.setattr(pytest_plugin, "_SECONDS", 0.3)
+    with pytest.raises(pytest_plugin.ScenarioFailed, match="its limit of 0.3 s"):
+        pytest_plugin._test_schedules("long.toml", "INCOMPLETE")
 
 
 def test_hosts_are_run_by_the_command_or_skipped(pytester, project, monkeypatch):
