@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, SupportsIndex, Union
 
@@ -53,6 +53,8 @@ def path_bytes(path: Path) -> bytes:
             f"{path!r} is neither a file nor a scenario: give a path, a dict or a program",
             f"{path!r} 既不是文件也不是场景：应给出路径、dict 或程序",
         ) from None
+    except UnicodeEncodeError:
+        name = b""
     if not name or b"\0" in name:
         raise Error(f"{path!r} is no name of a file", f"{path!r} 不是文件名")
     return name
@@ -60,13 +62,14 @@ def path_bytes(path: Path) -> bytes:
 
 def texts_of(argument: str, texts: str | Sequence[str]) -> list[str]:
     """One text, or several."""
-    items = [texts] if isinstance(texts, str) else list(texts)
+    items = list(texts) if isinstance(texts, Iterable) and not isinstance(texts, str) else [texts]
     for item in items:
         if not isinstance(item, str):
             raise Error(
                 f"'{argument}' must be texts, not {item!r}",
                 f"“{argument}”应为文本，而不是 {item!r}",
             )
+        _utf8(argument, item)
     return items
 
 
@@ -94,13 +97,26 @@ def _texts(files: Files) -> dict[bytes, bytes]:
         )
     texts = {}
     for name, text in files.items():
+        path = path_bytes(name)
         if not isinstance(text, (str, bytes)):
             raise Error(
                 f"the content of '{os.fsdecode(name)}' must be a text, not {text!r}",
                 f"“{os.fsdecode(name)}”的内容应为文本，而不是 {text!r}",
             )
-        texts[path_bytes(name)] = text.encode() if isinstance(text, str) else text
+        texts[path] = _utf8(os.fsdecode(name), text) if isinstance(text, str) else text
     return texts
+
+
+def _utf8(what: str, text: str) -> bytes:
+    """The bytes of a text, which can have halves of characters: names of files in Python do."""
+    try:
+        return text.encode()
+    except UnicodeEncodeError as error:
+        half = text[error.start]
+        raise Error(
+            f"'{what}' has {half!r}, which is no character of UTF-8",
+            f"“{what}”含有 {half!r}，它不是 UTF-8 字符",
+        ) from None
 
 
 def _toml(scenario: Mapping[str, Any]) -> bytes:
@@ -111,7 +127,7 @@ def _toml(scenario: Mapping[str, Any]) -> bytes:
             "scenarios as dicts need tomli-w: apt-get install python3-tomli-w",
             "以 dict 给出场景需要 tomli-w：apt-get install python3-tomli-w",
         ) from None
-    return tomli_w.dumps(_table(scenario, "")).encode()
+    return _utf8(os.fsdecode(_DICT_NAME), tomli_w.dumps(_table(scenario, "")))
 
 
 def _table(table: Mapping[str, Any], where: str) -> dict[str, Any]:

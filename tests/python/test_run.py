@@ -208,6 +208,10 @@ def test_html_is_escaped():
         ("", None, "is no name of a file"),
         ("a.c", {"a.c": 3}, "must be a text, not 3"),
         ("a.c", [SUM], "'files' must be a dict"),
+        ("a.c", {3: 4}, "3 is neither a file nor a scenario"),
+        ("a.c", {"a.c": "// \ud800"}, r"'a.c' has '\\ud800', which is no character of UTF-8"),
+        ("\ud800.c", None, "is no name of a file"),
+        ({"program": Path(os.fsdecode(b"\xff.c"))}, None, r"'<dict>.toml' has '\\udcff'"),
         ("a.calls", {"a.calls": ""}, "record of host calls"),
     ],
 )
@@ -224,6 +228,8 @@ def test_bad_names_are_errors(samples):
     for call, message in (
         (lambda: oncard.run("10_trap/trap.toml", show=["nix"]), "nix"),
         (lambda: oncard.run("10_trap/trap.toml", show=[3]), "'show' must be texts, not 3"),
+        (lambda: oncard.run("10_trap/trap.toml", show=3), "'show' must be texts, not 3"),
+        (lambda: oncard.run("10_trap/trap.toml", show="\ud800"), "'show' has"),
         (lambda: oncard.run("10_trap/trap.toml", silent=["nix"]), "there are: drive-off"),
         (lambda: oncard.set_language("de"), "use 'en' or 'zh'"),
         (lambda: run.trace.write("t.txt"), "must end in .csv, .vcd, .json or .gnuplot"),
