@@ -267,7 +267,6 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
 
   py::class_<RunOutcome>(module, "Run")
       .def("json", &RunJson, py::arg("chinese"))
-      .def("title", [](const RunOutcome& outcome) { return TextOf(outcome.title); })
       .def("trace", &TraceColumns)
       .def("write_trace", &WriteTrace, py::arg("path"))
       .def("picture", &PictureOf, py::arg("path"));
