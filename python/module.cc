@@ -102,7 +102,7 @@ py::tuple WriteProgram(const CompiledProgram& program, const std::string& folder
   const vm::ObjectFiles files = ObjectOf(program);
   const auto written = WritePairAtomically(paths.bin, files.bin, paths.ini, files.ini);
   if (!written.ok()) Raise(written.error());
-  return py::make_tuple(TextOf(paths.bin), TextOf(paths.ini));
+  return py::make_tuple(py::bytes(paths.bin), py::bytes(paths.ini));
 }
 
 py::dict SourcesOf(const CompiledProgram& program) {

@@ -53,7 +53,8 @@ class Program:
 
     def write(self, folder: Path = ".") -> tuple[str, str]:
         """Writes both files into a folder, named after the source; their names."""
-        return self._compiled.write(path_bytes(folder))
+        bin_path, ini_path = self._compiled.write(path_bytes(folder))
+        return os.fsdecode(bin_path), os.fsdecode(ini_path)
 
     def __repr__(self) -> str:
         return f"<oncard.Program {self.path}>"

@@ -104,6 +104,17 @@ def test_objects_are_those_of_the_command(in_folder):
     assert Path("a.bin").read_bytes() == program.bin
 
 
+def test_names_of_files_need_not_be_utf8(in_folder):
+    folder = in_folder / os.fsdecode(b"\xff")
+    folder.mkdir()
+    (folder / "a.c").write_text(SUM)
+    program = oncard.compile(folder / "a.c")
+    assert program.path == str(folder / "a.c")
+    written = program.write(folder)
+    assert written == (str(folder / "a.bin"), str(folder / "a.ini"))
+    assert all(Path(path).exists() for path in written)
+
+
 def test_mistakes_of_a_program_are_diagnostics():
     with pytest.raises(oncard.CompileError) as caught:
         oncard.compile("a.c", files={"a.c": "int main()\n{\n  x = 1;\n}\n"})
