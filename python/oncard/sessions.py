@@ -277,7 +277,11 @@ class Session:
                 return stop
 
     def _step(self, request: str, **arguments: Any) -> Stop:
-        return self._stop(self.request(request, budget=_BUDGET, **arguments))
+        try:
+            return self._stop(self.request(request, budget=_BUDGET, **arguments))
+        except KeyboardInterrupt:
+            self._state = self.request("state")  # it has gone on
+            raise
 
     def _stop(self, answer: dict[str, Any]) -> Stop:
         self._state = answer["state"]

@@ -138,25 +138,36 @@ def test_limits_end_a_search():
         assert proof.verdict == "INCOMPLETE"
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
-        "oncard.explore(LONG_SCENARIO, files=LONG)",
-        "oncard.run(ENDLESS_SCENARIO, files=ENDLESS)",
-        "oncard.Session(ENDLESS_SCENARIO, files=ENDLESS).forward()",
-    ],
-)
-def test_ctrl_c_ends_what_takes_long(call):
+def after_ctrl_c(call, text):
+    """What a process prints that hears Ctrl-C during a call: the text, an expression."""
     script = f"""
 import os, signal, sys, threading
 sys.path.insert(0, {str(Path(__file__).parent)!r})
 import oncard
 from test_explore import *
+card = oncard.Session(ENDLESS_SCENARIO, files=ENDLESS)
 threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 try:
     {call}
 except KeyboardInterrupt:
-    print("interrupted")
+    print({text})
 """
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
-    assert done.stdout == "interrupted\n", done.stderr
+    return done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "oncard.explore(LONG_SCENARIO, files=LONG)",
+        "oncard.run(ENDLESS_SCENARIO, files=ENDLESS)",
+        "card.forward()",
+    ],
+)
+def test_ctrl_c_ends_what_takes_long(call):
+    assert after_ctrl_c(call, "'interrupted'") == "interrupted\n"
+
+
+def test_after_ctrl_c_a_session_says_where_it_is():
+    here = "card.moment > 0 and card.state == card.request('state')"
+    assert after_ctrl_c("card.forward()", here) == "True\n"
