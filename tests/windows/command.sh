@@ -19,7 +19,8 @@ same() {
   local code=0 other=0
   on_native "$@" >"$home/native.out" 2>"$home/native.err" || code=$?
   on_windows "$@" >"$home/windows.out" 2>"$home/windows.err" || other=$?
-  [ "$code" = "$other" ] || fail "oncard $*: exit code $other, expected $code" "$(cat "$home/windows.err")"
+  [ "$code" = "$other" ] ||
+    fail "oncard $*: exit code $other, expected $code" "$(cat "$home/windows.out" "$home/windows.err")"
   diff "$home/native.out" "$home/windows.out" >&2 || fail "oncard $*: standard output differs"
   diff "$home/native.err" "$home/windows.err" >&2 || fail "oncard $*: standard error differs"
 }
