@@ -25,9 +25,4 @@ target_link_libraries(oncard_cli_wasm PRIVATE
   oncard::explore oncard::session oncard::protocol_schema oncard::runtime oncard::compiler
   nlohmann_json::nlohmann_json PkgConfig::XXHASH
   wasi-emulated-signal c-printscan-long-double)
-target_link_options(oncard_cli_wasm PRIVATE
-  LINKER:--strip-all LINKER:--stack-first LINKER:-z,stack-size=4194304)
-add_custom_command(TARGET oncard_cli_wasm POST_BUILD
-  COMMAND ${WASM_OPT_EXECUTABLE} -Oz --converge --enable-tail-call --enable-sign-ext --enable-mutable-globals
-          $<TARGET_FILE:oncard_cli_wasm> -o $<TARGET_FILE:oncard_cli_wasm>
-  VERBATIM)
+oncard_module_link(oncard_cli_wasm)
