@@ -45,16 +45,9 @@ void RequirementWatch::Begin(const Controller& controller, ScenarioErrors* error
 }
 
 RequirementWatch::Names RequirementWatch::NamesNow(const Controller& controller) const {
-  const vm::Machine& machine = controller.machine();
-  Names names;
-  names.image = machine.shared_image();
-  const bool same_program = names_ && names_->image == names.image;
+  Names names = {ProgramNames::Of(controller)};
+  const bool same_program = names_ && names_->program.image == names.program.image;
   names.acts = (same_program && names_->acts) || controller.ProgramActs();
-  for (size_t i = 0; i < names.bindings.size(); ++i) {
-    const vm::ThreadState& thread = machine.thread(static_cast<int>(i));
-    if (thread.run == vm::ThreadRun::kUnbound) continue;
-    names.bindings[i] = {true, thread.function, thread.page};
-  }
   return names;
 }
 

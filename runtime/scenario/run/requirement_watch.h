@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 
 #include "base/result.h"
 #include "runtime/conditions/card_condition.h"
+#include "runtime/conditions/program_names.h"
 #include "runtime/scenario/file/requirement.h"
 #include "runtime/scenario/run/run_watch.h"
 #include "runtime/scenario/run/scenario_run.h"
@@ -70,15 +70,8 @@ class RequirementWatch : public RunWatch {
 
   /// What the names of conditions depend on.
   struct Names {
-    std::shared_ptr<const vm::Image> image;
+    ProgramNames program;
     bool acts = false;  ///< the program has begun to act
-    struct Binding {
-      bool bound = false;
-      uint8_t function = 0;
-      uint8_t page = 0;
-      bool operator==(const Binding&) const = default;
-    };
-    std::array<Binding, vm::kThreadCount> bindings = {};
     bool operator==(const Names&) const = default;
   };
   Names NamesNow(const Controller& controller) const;
