@@ -447,6 +447,10 @@ void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   LatchCauses();
 }
 
+void MotionCore::Happen(const WorldEvent& event) {
+  World(parts().Changed(), config_).Happen(event);
+}
+
 void MotionCore::SetEvents(std::shared_ptr<const WorldEvents> events) {
   World(parts().Changed(), config_).Replace(std::move(events));
 }

@@ -39,6 +39,11 @@ void World::ApplyEvents() {
   }
 }
 
+void World::Happen(WorldEvent event) {
+  event.at = now();
+  Apply(event);
+}
+
 void World::Apply(const WorldEvent& event) {
   const size_t item = event.item;
   switch (event.kind) {

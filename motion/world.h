@@ -21,6 +21,8 @@ class World {
   void Replace(std::shared_ptr<const WorldEvents> events);
   /// Applies the events up to now.
   void ApplyEvents();
+  /// Lets an event happen now that is not among these; its own instant does not matter.
+  void Happen(WorldEvent event);
 
  private:
   /// Applies an event of the current instant.

@@ -67,6 +67,18 @@ TEST(WorldEvent, EventsOfOneInstantActInTheirOrder) {
   EXPECT_EQ(core.state().adcs[0].volts, 2);
 }
 
+TEST(WorldEvent, OneThatNobodyPlannedComesBeforeThoseOfItsInstant) {
+  MotionCore core({});
+  Happen(core, {{.at = 250, .kind = WorldEventKind::kAdc, .item = 2, .value = 5}});
+  core.Tick();
+  core.Happen({.at = 9000, .kind = WorldEventKind::kAdc, .item = 2, .value = 3});
+  core.Happen({.kind = WorldEventKind::kAdc, .item = 1, .value = 4});
+  EXPECT_EQ(core.state().adcs[2].volts, 3);
+  core.Tick();
+  EXPECT_EQ(core.state().adcs[2].volts, 5);
+  EXPECT_EQ(core.state().adcs[1].volts, 4);
+}
+
 TEST(WorldEvent, EachKindActsOnItsPart) {
   MotionCore core({});
   core.AddSwitch({});
