@@ -1,6 +1,7 @@
 // The order of events in a profile cycle:
 //
-//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; then
+//   1. Reactions::Act(): what the surroundings do because of what the card has done before; then
+//      MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; then
 //      Family::after_tick: variables are written whose buffered commands the paths reached;
 //   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
 //   3. Family::before_threads: the PLC blocks read inputs, write variables and outputs;
@@ -176,6 +177,7 @@ int64_t Controller::CyclesBeforeInterrupt() const {
 
 bool Controller::GoesOn() const {
   const motion::WorldProgress& world = motion_.state().world;
+  if (reactions_ && !reactions_->state().pending.empty()) return true;
   if (motion_.PathRuns() || (world.events && world.next < world.events->size())) return true;
   for (size_t axis = 0; axis < motion_.axis_count(); ++axis) {
     if ((motion_.Conditions(axis) & motion::kMovingBit) != 0) return true;
@@ -206,7 +208,7 @@ void Controller::RunCycles(int64_t cycles) {
 
 int64_t Controller::RunSome(int64_t limit) {
   const int64_t before_act = family().cycles_before_act(view()) - motion_late_;
-  if (state_observer_ || cycle_host_ || before_act <= 0) {
+  if (state_observer_ || cycle_host_ || reactions_ || before_act <= 0) {
     CatchUp();
     RunCycle();
     return 1;
@@ -276,6 +278,7 @@ int64_t Controller::StatementsUntilHost(int64_t executed) {
 }
 
 int64_t Controller::BeginCycle() {
+  if (reactions_) reactions_->Act(clock_.NsOf(cycle()), &motion_);
   motion_.Tick();
   family().after_tick(card_);
   machine_.BeginCycle(cycle());
@@ -331,6 +334,7 @@ ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body
 CardBody Controller::Body() const {
   CardBody body = {motion_.state(), family_state_, pending_ns_, pending_statements_};
   if (const auto change = clock_.changed()) body.clock.Emplace(*change);
+  if (reactions_) body.reactions.Emplace(reactions_->state());
   return body;
 }
 
@@ -345,27 +349,30 @@ void Controller::RestoreBody(const CardBody& body) {
   pending_ns_ = body.pending_ns;
   clock_.Restore(body.clock ? std::optional(*body.clock) : std::nullopt);
   pending_statements_ = body.pending_statements;
+  if (body.reactions) reactions_->Restore(*body.reactions);
 }
 
-uint64_t Controller::WithClock(uint64_t hash) const {
+uint64_t Controller::WithRareParts(uint64_t hash) const {
   const auto change = clock_.changed();
   const int64_t part_ns = pending_ns_ % CardClock::kNsPerUs;
-  if (!change && part_ns == 0) return hash;
-  return motion::StateHash().Add(hash).Add(part_ns).Add(change).value();
+  if (change || part_ns != 0) {
+    hash = motion::StateHash().Add(hash).Add(part_ns).Add(change).value();
+  }
+  return reactions_ ? motion::StateHash().Add(hash).Add(reactions_->state()).value() : hash;
 }
 
 uint64_t Controller::BodyHash() const {
   const std::array<uint64_t, 4> parts = {motion_.Hash(), HashOf(family_state_),
                                          static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
-  return WithClock(XXH64(parts.data(), sizeof parts, 0));
+  return WithRareParts(XXH64(parts.data(), sizeof parts, 0));
 }
 
 uint64_t Controller::Hash() const {
   const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), HashOf(family_state_),
                                          static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
-  return WithClock(XXH64(parts.data(), sizeof parts, 0));
+  return WithRareParts(XXH64(parts.data(), sizeof parts, 0));
 }
 
 }  // namespace oncard::runtime

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "runtime/sim/call_text.h"
 #include "runtime/sim/card_clock.h"
 #include "runtime/sim/card_observer.h"
+#include "runtime/sim/reactions.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/image.h"
 #include "vm/machine.h"
@@ -46,7 +48,8 @@ struct CardBody {
   gtcalls::FamilyState family;
   int64_t pending_ns = 0;
   int64_t pending_statements = 0;
-  motion::Rare<CardClock::Change> clock = {};  ///< of a card whose clock has been changed
+  motion::Rare<CardClock::Change> clock = {};     ///< of a card whose clock has been changed
+  motion::Rare<Reactions::State> reactions = {};  ///< of surroundings that react
 };
 
 /// The complete state of a card as a value.
@@ -166,6 +169,10 @@ class Controller {
   /// of a cycle, with the number of those executed in it; the host acts if it is its turn. Returns
   /// the number of statements after which it must be called again.
   int64_t StatementsUntilHost(int64_t executed);
+  /// From now on the surroundings react to the card.
+  void LetWorldReact(Reactions reactions) { reactions_ = std::move(reactions); }
+  /// nullptr: they do not.
+  const Reactions* reactions() const { return reactions_ ? &*reactions_ : nullptr; }
   /// RunCycle() without the threads: returns the number of statements that they may execute before
   /// the next cycle begins, for a caller that chooses their order.
   int64_t BeginCycle();
@@ -221,8 +228,9 @@ class Controller {
   /// Instants outside, with the time of the host.
   int64_t NowNs() const { return clock_.NsOf(cycle()) + pending_ns_; }
   void SetCycle(int64_t cycle_ns);
-  /// The hash with what only a card has whose clock is not that of its motion core.
-  uint64_t WithClock(uint64_t hash) const;
+  /// The hash with what only some cards have: a clock that is not that of the motion core, and
+  /// surroundings that react.
+  uint64_t WithRareParts(uint64_t hash) const;
 
   ControllerOptions options_;
   motion::MotionCore motion_;
@@ -237,6 +245,7 @@ class Controller {
   std::function<void()> state_observer_;
   CycleHost cycle_host_;
   int64_t host_acts_after_ = 0;  // statements of this cycle
+  std::optional<Reactions> reactions_;
   bool interrupts_host_ = false;
   std::function<void()> clock_listener_;
   int64_t pending_ns_ = 0;  // host time not yet converted to cycles

@@ -95,6 +95,22 @@ TEST(ToyCard, EventsOutsideKeepTheirInstants) {
   EXPECT_EQ(pin(), 1u);
 }
 
+// The condition holds from power-on, and the reaction is 3.3 ms later.
+TEST(ToyCard, ReactionsKeepTheirDelays) {
+  const Scenario scenario = ToyScenario(
+      "[[world.react]]\nwhen = \"axis1.prfPos == 0\"\nafter_ms = 3.3\ntype = \"gpi\"\nindex = 1\n"
+      "value = 1\n");
+  Controller card(CardOptions(scenario));
+  ApplyWorld(scenario, &card);
+  const auto pin = [&] { return card.motion().state().io.Pins(motion::DiType::kGpi) & 1; };
+  card.AdvanceUs(3000);
+  SetCycle(kOddUs, &card);
+  card.AdvanceUs(336);
+  EXPECT_EQ(pin(), 0u);
+  card.AdvanceUs(49);  // 3.38424 ms
+  EXPECT_EQ(pin(), 1u);
+}
+
 TEST(ToyCard, VelocitiesOutsideKeepTheirMilliseconds) {
   const Scenario scenario = ToyScenario(
       "[[world.fault]]\nkind = \"slip\"\naxis = 1\nat_ms = 2\nuntil_ms = 12\nvelocity = 3\n");

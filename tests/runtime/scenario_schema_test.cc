@@ -95,6 +95,7 @@ TEST(ScenarioSchema, TakesWhatIsWritten) {
       "[[world.axis]]\naxis = 1\ndrive = \"velocity\"\n[[world.switch]]\naxis = 1\nfrom = 5\n"
       "active_low = true\n[[world.input]]\nvalue = 3\n[[world.module]]\nvolts = [1, -2.5]\n"
       "[[world.move]]\nswitch = 1\nto = 9\nat_ms = 4\n"
+      "[[world.react]]\nwhen = \"n == 1\"\nafter_ms = 0.5\ntype = \"alarm\"\nvalue = 3\n"
       "[[world.fault]]\nkind = \"cut_switch\"\nswitch = 1\n[[host]]\nset = { n = 1 }\n";
   const auto scenario = ParseScenario(text, "s.toml");
   ASSERT_TRUE(scenario.ok()) << scenario.error().message.en;
@@ -148,6 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"keys = [{ at_ms = 1 }]\n", "'text' is missing"},
         WrongCase{"[[world.input]]\nat_ms = 1\n", "'value' is missing"},
         WrongCase{"[[world.input]]\ntype = \"knob\"\nvalue = 1\n", "no inputs are named 'knob'"},
+        WrongCase{"[[world.react]]\nvalue = 1\n", "'when' is missing"},
         WrongCase{"[[world.axis]]\ndrive = \"ideal\"\n", "'axis' is missing"},
         WrongCase{"[[world.axis]]\naxis = 1\ndrive = \"hydraulic\"\n", "'drive' must be one of"},
         WrongCase{"[[world.switch]]\naxis = 1\nfrom = 1\nactive_low = 1\n",

@@ -350,6 +350,7 @@ std::vector<KeySection> KeySections() {
       SectionOf("thread", ThreadKeys()),
       SectionOf("world", WorldKeys()),
       SectionOf("world.input", InputKeys()),
+      SectionOf("world.react", ReactionKeys()),
       SectionOf("world.axis", MotorKeys()),
       SectionOf("world.switch", SwitchKeys()),
       SectionOf("world.move", MoveKeys()),

@@ -146,6 +146,7 @@ std::span<const Key<HostEvent>> HostKeys();
 std::span<const Key<KeyPress>> PressKeys();
 std::span<const Key<World>> WorldKeys();
 std::span<const Key<InputEvent>> InputKeys();
+std::span<const Key<InputReaction>> ReactionKeys();
 std::span<const Key<MotorSetup>> MotorKeys();
 std::span<const Key<SwitchSetup>> SwitchKeys();
 std::span<const Key<SwitchMove>> MoveKeys();

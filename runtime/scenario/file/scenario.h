@@ -88,6 +88,9 @@ inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 /// Before the file in a `schedule` that replays a recording.
 inline constexpr std::string_view kReplayPrefix = "replay:";
 
+/// Scenario::text_places of the conditions of World::reactions.
+inline constexpr std::string_view kReactionPlaces = "world.react";
+
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
   std::string path;
@@ -129,8 +132,8 @@ struct Scenario {
   /// Expressions that must hold in some state of every run.
   std::vector<std::string> eventually;
   /// The places of the texts of `schedule`, `trace`, `final`, `always`, `never`, `eventually`,
-  /// `races`, `sync` and `explore.engine`, by key; those that do not come from a file have none, at
-  /// the end of the list.
+  /// `races`, `sync` and `explore.engine`, by key, and kReactionPlaces; those that do not come from
+  /// a file have none, at the end of the list.
   std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
   /// Allowed data races: `any`, `benign` or `none`.
   std::string races = "any";

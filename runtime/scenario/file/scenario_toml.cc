@@ -85,7 +85,8 @@ class ScenarioReader : private TomlKeys {
     CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
-      scenario_.world = ReadWorld(*world, scenario_.axis_count, *this);
+      scenario_.world = ReadWorld(*world, scenario_.axis_count, *this,
+                                  &scenario_.text_places[std::string(kReactionPlaces)]);
     }
     if (const toml::table* bus = Table(table, "ethercat")) {
       scenario_.bus = ReadBus(*bus, scenario_.axis_count, *this);

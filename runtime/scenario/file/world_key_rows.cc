@@ -33,6 +33,10 @@ constexpr Key<World> kWorldKeys[] = {
       KeyType::Tables("world.input"),
       {"a change of an input, below", "输入的变化"},
       {"none", "无"}}},
+    {{"react",
+      KeyType::Tables("world.react"),
+      {"an input changes because of what the card does, below", "输入因控制卡的动作而变化"},
+      {"none", "无"}}},
     {{"axis",
       KeyType::Tables("world.axis"),
       {"the drive and the mechanics of an axis, below", "轴的驱动器与机械"},
@@ -81,6 +85,27 @@ constexpr Key<InputEvent> kInputKeys[] = {
       kZero},
      &InputEvent::at_us,
      true},
+};
+
+// Of the input it has the keys of `[[world.input]]`.
+constexpr Key<InputReaction> kReactionKeys[] = {
+    {{"when",
+      KeyType::Text(),
+      {"a condition, below. Each time it becomes true, the input changes later; true at the start "
+       "counts, too",
+       "条件。每次变为真之后，输入延时变化；开始时即为真也算一次"}},
+     &InputReaction::when},
+    {{"after_ms",
+      KeyType::Time(),
+      {"how much later: at most 60000; the first cycle that begins then or after it sees the "
+       "change",
+       "延时，至多 60000；在此时或之后开始的第一个周期起可见"},
+      kZero},
+     &InputReaction::after_us,
+     true},
+    {kInputKeys[0].about},
+    {kInputKeys[1].about},
+    {kInputKeys[2].about},
 };
 
 constexpr Key<MotorSetup> kMotorKeys[] = {
@@ -290,6 +315,7 @@ constexpr Key<ModuleEvent> kModuleKeys[] = {
 
 std::span<const Key<World>> WorldKeys() { return kWorldKeys; }
 std::span<const Key<InputEvent>> InputKeys() { return kInputKeys; }
+std::span<const Key<InputReaction>> ReactionKeys() { return kReactionKeys; }
 std::span<const Key<MotorSetup>> MotorKeys() { return kMotorKeys; }
 std::span<const Key<SwitchSetup>> SwitchKeys() { return kSwitchKeys; }
 std::span<const Key<SwitchMove>> MoveKeys() { return kMoveKeys; }

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/milliseconds.h"
 #include "motion/io/extension.h"
+#include "runtime/conditions/condition.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/file/key_table.h"
 #include "runtime/scenario/file/keyed_toml.h"
@@ -22,11 +24,13 @@ void SortByTime(std::vector<Event>& events) {
 
 class WorldReader {
  public:
-  WorldReader(int axis_count, TomlKeys& keys) : axis_count_(axis_count), keys_(keys) {}
+  WorldReader(int axis_count, TomlKeys& keys, std::vector<TextPlace>* conditions)
+      : axis_count_(axis_count), keys_(keys), conditions_(*conditions) {}
 
   World Read(const toml::table& table) {
     ReadKeys(table, WorldKeys(), keys_, &world_);
     for (const toml::table* input : keys_.Tables(table, "world.input")) ReadInput(*input);
+    for (const toml::table* react : keys_.Tables(table, "world.react")) ReadReaction(*react);
     for (const toml::table* motor : keys_.Tables(table, "world.axis")) ReadMotor(*motor);
     for (const toml::table* contact : keys_.Tables(table, "world.switch")) ReadSwitch(*contact);
     for (const toml::table* move : keys_.Tables(table, "world.move")) ReadMove(*move);
@@ -46,16 +50,44 @@ class WorldReader {
   void ReadInput(const toml::table& table) {
     InputEvent event;
     ReadKeys(table, InputKeys(), keys_, &event);
-    event.type = InputType(table, "gpi");
-    const int width = motion::DiWidth(event.type);
-    event.index = static_cast<int>(keys_.Whole(table, "index", 0, 1, width));
-    const int64_t highest = event.index == 0 ? (int64_t{1} << width) - 1 : 1;
-    event.value = static_cast<uint32_t>(keys_.Whole(table, "value", -1, 0, highest));
+    ReadLevel(table, &event);
+    world_.inputs.push_back(event);
+  }
+
+  void ReadLevel(const toml::table& table, InputEvent* event) {
+    event->type = InputType(table, "gpi");
+    const int width = motion::DiWidth(event->type);
+    event->index = static_cast<int>(keys_.Whole(table, "index", 0, 1, width));
+    const int64_t highest = event->index == 0 ? (int64_t{1} << width) - 1 : 1;
+    event->value = static_cast<uint32_t>(keys_.Whole(table, "value", -1, 0, highest));
     if (!table.contains("value")) {
       keys_.Fail(table.source(), {"'value' is missing: the level of the pin, 0 or 1",
                                   "缺少“value”：管脚电平，0 或 1"});
     }
-    world_.inputs.push_back(event);
+  }
+
+  void ReadReaction(const toml::table& table) {
+    InputReaction reaction;
+    ReadKeys(table, ReactionKeys(), keys_, &reaction);
+    Need(table, "when", {"the condition, as in \"gpo[1] == 1\"", "条件，如 \"gpo[1] == 1\""});
+    if (table["when"].is_string()) {
+      const auto condition = ParseCondition(reaction.when);
+      if (!condition.ok()) keys_.Fail(table.get("when")->source(), condition.error().message);
+    }
+    if (reaction.after_us > kReactionUsMax) {
+      keys_.Fail(table.get("after_ms")->source(),
+                 MakeMessage("'after_ms' must be at most {0}", "“after_ms”应至多为 {0}",
+                             ToMs(kReactionUsMax)));
+    }
+    ReadLevel(table, &reaction.input);
+    if (world_.reactions.size() == kReactionMax) {
+      keys_.Fail(table.source(),
+                 MakeMessage("there are more than {0} [[world.react]]: join some of them",
+                             "[[world.react]] 超过 {0} 个：应合并其中一些", kReactionMax));
+      return;
+    }
+    conditions_.push_back(keys_.PlaceOfValue(table, "when"));
+    world_.reactions.push_back(std::move(reaction));
   }
 
   void ReadMotor(const toml::table& table) {
@@ -214,18 +246,25 @@ class WorldReader {
 
   /// An input to which a switch is connected follows the switch only.
   void CheckInputs(const toml::table& table) {
-    for (const InputEvent& event : world_.inputs) {
-      const bool driven = std::ranges::any_of(world_.switches, [&](const SwitchSetup& contact) {
+    const auto driven = [this](const InputEvent& event) {
+      return std::ranges::any_of(world_.switches, [&](const SwitchSetup& contact) {
         return contact.type == event.type && (event.index == 0 || event.index == contact.index);
       });
-      if (!driven) continue;
-      keys_.Fail(
-          table.source(),
-          {"a [[world.input]] drives an input that a [[world.switch]] is wired to: remove "
-           "one of them, or give the input an 'index'",
-           "[[world.input]] 与 [[world.switch]] 驱动同一输入：应去掉其一，或为输入指定“index”"});
-      return;
+    };
+    if (std::ranges::any_of(world_.inputs, driven)) {
+      keys_.Fail(table.source(), DescribeTwoDrivers("input"));
     }
+    for (size_t i = 0; i < world_.reactions.size(); ++i) {
+      if (!driven(world_.reactions[i].input)) continue;
+      keys_.Fail(conditions_[i], DescribeTwoDrivers("react"));
+    }
+  }
+
+  static Message DescribeTwoDrivers(std::string_view key) {
+    return MakeMessage(
+        "a [[world.{0}]] drives an input that a [[world.switch]] is wired to: remove one of them, "
+        "or give the input an 'index'",
+        "[[world.{0}]] 与 [[world.switch]] 驱动同一输入：应去掉其一，或为输入指定“index”", key);
   }
 
   void ReadVoltage(const toml::table& table) {
@@ -307,19 +346,28 @@ class WorldReader {
 
   const int axis_count_;
   TomlKeys& keys_;
+  std::vector<TextPlace>& conditions_;
   World world_;
 };
 
 // --- Writing -----------------------------------------------------------------------------------
 
+SpecialText LevelText(const InputEvent& event, std::string_view key) {
+  if (key == "type") return TomlString(InputWordName(event.type));
+  if (key == "index" && event.index != 0) return std::to_string(event.index);
+  if (key == "value") return std::to_string(event.value);
+  return std::nullopt;
+}
+
 std::string FormatInput(const InputEvent& event) {
   return AsTable("[[world.input]]", WriteKeys(event, InputKeys(), [&](std::string_view key) {
-                   if (key == "type") return SpecialText(TomlString(InputWordName(event.type)));
-                   if (key == "index" && event.index != 0) {
-                     return SpecialText(std::to_string(event.index));
-                   }
-                   if (key == "value") return SpecialText(std::to_string(event.value));
-                   return SpecialText();
+                   return LevelText(event, key);
+                 }));
+}
+
+std::string FormatReaction(const InputReaction& reaction) {
+  return AsTable("[[world.react]]", WriteKeys(reaction, ReactionKeys(), [&](std::string_view key) {
+                   return LevelText(reaction.input, key);
                  }));
 }
 
@@ -389,13 +437,15 @@ std::string FormatModule(const ModuleEvent& event) {
 
 }  // namespace
 
-World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys) {
-  return WorldReader(axis_count, keys).Read(table);
+World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys,
+                std::vector<TextPlace>* conditions) {
+  return WorldReader(axis_count, keys, conditions).Read(table);
 }
 
 std::string FormatWorld(const World& world, int axis_count) {
   std::string text;
   for (const InputEvent& event : world.inputs) text += FormatInput(event);
+  for (const InputReaction& reaction : world.reactions) text += FormatReaction(reaction);
   for (const MotorSetup& motor : world.motors) text += FormatMotor(motor);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
   for (const SwitchMove& move : world.moves) text += FormatMove(move);

@@ -2,8 +2,10 @@
 
 #include <cassert>
 #include <memory>
+#include <utility>
 
 #include "gtcalls/families.h"
+#include "runtime/scenario/run/reaction_conditions.h"
 #include "runtime/scenario/world/world_events.h"
 
 namespace oncard::runtime {
@@ -36,6 +38,12 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   }
   core.PowerOn(
       std::make_shared<const motion::WorldEvents>(EventsOf(scenario.world, scenario.bus, clock)));
+  if (!scenario.world.reactions.empty()) {
+    auto look = [controller, conditions = ReactionConditions(scenario.world)]() mutable {
+      return conditions.LookAt(*controller);
+    };
+    controller->LetWorldReact({ReactionsOf(scenario.world), std::move(look)});
+  }
   if (controller->family().cycle_ns == 0) return;
   controller->ListenToClock([world = scenario.world, bus = scenario.bus, &clock, &core] {
     FollowClock(world, bus, clock, core);

@@ -4,6 +4,7 @@
 
 #include "base/nearest.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/scenario/run/reaction_conditions.h"
 #include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
@@ -104,6 +105,7 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
   const std::vector<ThreadStart> bound = BindThreads(starts.value(), &machine, errors);
   SetValues(scenario, bound, controller, errors);
   RunThreads(bound, controller, errors);
+  CheckReactions(scenario, *controller, 0, {}, errors);
   return {};
 }
 

@@ -10,6 +10,8 @@ using motion::WorldEvent;
 using motion::WorldEventKind;
 using motion::WorldEvents;
 
+static_assert(kReactionMax <= Reactions::kMax);
+
 uint8_t FromZero(int number) { return static_cast<uint8_t>(number - 1); }
 
 void AddInput(const InputEvent& input, WorldEvents& events) {
@@ -184,6 +186,14 @@ WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& c
   std::stable_sort(events.begin(), events.end(),
                    [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
   return events;
+}
+
+std::vector<Reactions::Reaction> ReactionsOf(const World& world) {
+  std::vector<Reactions::Reaction> reactions;
+  for (const InputReaction& each : world.reactions) {
+    AddInput(each.input, reactions.emplace_back(Reactions::Reaction{each.after_us, {}}).events);
+  }
+  return reactions;
 }
 
 void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,

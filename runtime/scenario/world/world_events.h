@@ -3,10 +3,13 @@
 // Tested by tests/runtime/scenario_world_test.cc.
 #pragma once
 
+#include <vector>
+
 #include "motion/motion_core.h"
 #include "runtime/scenario/world/bus_setup.h"
 #include "runtime/scenario/world/world_setup.h"
 #include "runtime/sim/card_clock.h"
+#include "runtime/sim/reactions.h"
 
 namespace oncard::runtime {
 
@@ -16,6 +19,9 @@ void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
 
 /// The events that follow, in order of time, in the time of the core.
 motion::WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& clock);
+
+/// What the surroundings do when the card does something.
+std::vector<Reactions::Reaction> ReactionsOf(const World& world);
 
 /// Lets the surroundings go on when the clock has been changed: their velocities and times outside
 /// are others in the time of the core. A motor that is turned by hand meanwhile turns on for as

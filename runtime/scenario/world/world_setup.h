@@ -27,6 +27,20 @@ struct InputEvent {
   bool operator==(const InputEvent&) const = default;
 };
 
+/// An input that changes some time after a condition (runtime/conditions) has become true.
+struct InputReaction {
+  std::string when;
+  int64_t after_us = 0;
+  InputEvent input = {};  ///< its instant does not matter
+  bool operator==(const InputReaction&) const = default;
+};
+
+/// So many of them at most: bits of a word.
+inline constexpr size_t kReactionMax = 64;
+/// Their largest delay: a minute. A condition can become true at every other boundary of cycles
+/// only, so this also bounds how many can be pending.
+inline constexpr int64_t kReactionUsMax = 60'000'000;
+
 /// The drive and mechanics of an axis.
 struct MotorSetup {
   int axis = 1;
@@ -113,6 +127,7 @@ struct ModuleEvent {
 
 struct World {
   std::vector<InputEvent> inputs;  ///< in order of time
+  std::vector<InputReaction> reactions;
   std::vector<MotorSetup> motors;
   std::vector<SwitchSetup> switches;
   std::vector<SwitchMove> moves;  ///< in order of time
