@@ -213,6 +213,29 @@ TEST(Reactions, GoOnWhileOneIsPending) {
   EXPECT_FALSE(card.card().GoesOn());
 }
 
+// --- What a run says -----------------------------------------------------------------------------
+
+std::vector<std::string> WarningsOf(const std::string& scenario) {
+  std::vector<std::string> texts;
+  for (const Message& warning : RunForTest(kReactingProgram, scenario).warnings)
+    texts.push_back(warning.en);
+  return texts;
+}
+
+TEST(Reactions, ARunNamesThoseThatNothingStarted) {
+  EXPECT_THAT(WarningsOf(kReacts),
+              ElementsAre("nothing started the [[world.react]] of 'go == 1': it held at no "
+                          "boundary of profile cycles"));
+  EXPECT_THAT(WarningsOf(std::string(kReacts) + "[globals]\ngo = 1\n"), IsEmpty());
+}
+
+// The thread ends in cycle 401, at 100.25 ms.
+TEST(Reactions, ARunNamesThoseThatItsEndCutsOff) {
+  EXPECT_THAT(WarningsOf(std::string(kReacts) + "after_ms = 200\n[globals]\ngo = 1\n"),
+              ElementsAre("the run ended at 100.25 ms, before the [[world.react]] of 'go == 1' "
+                          "acts at 200 ms: 'until_ms' makes it last longer"));
+}
+
 // --- Files ---------------------------------------------------------------------------------------
 
 TEST(Reactions, AreWrittenAsTheyAreRead) {

@@ -61,5 +61,15 @@ TEST(VacuityTest, EventsBehindTheEndAreNamedOnceForEachKind) {
   EXPECT_TRUE(DescribeLateEvents(world, 600'000, false).empty());
 }
 
+TEST(VacuityTest, ReactionsThatNothingStartedAreNamed) {
+  World world;
+  world.reactions = {{.when = "a"}, {.when = "b"}, {.when = "c"}};
+  const auto idle = DescribeIdleReactions(world, 0b010, true);
+  ASSERT_EQ(idle.size(), 2u);
+  EXPECT_EQ(idle[0].en,
+            "no run starts the [[world.react]] of 'a': it held at no boundary of profile cycles");
+  EXPECT_EQ(idle[1].zh, "没有运行触发 [[world.react]]：“c”在任何规划周期边界上都未成立");
+}
+
 }  // namespace
 }  // namespace oncard::runtime

@@ -267,6 +267,7 @@ class ScenarioRunner {
     if (!result_.interrupted && InOrder()) {
       WarnOfMissedWrites();
       WarnOfLateEvents();
+      WarnOfReactions();
     }
     for (size_t i = 0; i < shown_.size(); ++i) {
       ShownValue value;
@@ -335,6 +336,24 @@ class ScenarioRunner {
     const int64_t end_us = controller_.clock().UsOf(controller_.cycle());
     for (Message& late : DescribeLateEvents(scenario_.world, end_us, false)) {
       result_.warnings.push_back(std::move(late));
+    }
+  }
+
+  void WarnOfReactions() {
+    const Reactions* reactions = controller_.reactions();
+    if (reactions == nullptr) return;
+    const World& world = scenario_.world;
+    for (Message& idle : DescribeIdleReactions(world, reactions->started(), false)) {
+      result_.warnings.push_back(std::move(idle));
+    }
+    for (const Reactions::Pending& pending : reactions->state().pending) {
+      result_.warnings.push_back(MakeMessage(
+          "the run ended at {0} ms, before the [[world.react]] of '{1}' acts at {2} ms: "
+          "'until_ms' makes it last longer",
+          "运行在 {0} ms 结束，早于“{1}”的 [[world.react]] 在 {2} ms "
+          "起作用：可用“until_ms”使运行继续",
+          result_.end_ms, world.reactions[pending.reaction].when,
+          ToMs(pending.at_ns / CardClock::kNsPerUs)));
     }
   }
 

@@ -99,4 +99,24 @@ std::vector<Message> DescribeLateEvents(const World& world, int64_t end_us, bool
   return texts;
 }
 
+std::vector<Message> DescribeIdleReactions(const World& world, uint64_t started, bool in_any) {
+  std::vector<Message> texts;
+  for (size_t i = 0; i < world.reactions.size(); ++i) {
+    if ((started >> i & 1) != 0) continue;
+    const std::string& when = world.reactions[i].when;
+    texts.push_back(in_any
+                        ? MakeMessage("no run starts the [[world.react]] of '{0}': it held at no "
+                                      "boundary of profile cycles",
+                                      "没有运行触发 [[world.react]]：“{0}”在任何规划周期"
+                                      "边界上都未成立",
+                                      when)
+                        : MakeMessage("nothing started the [[world.react]] of '{0}': it held at "
+                                      "no boundary of profile cycles",
+                                      "[[world.react]] 未被触发：“{0}”在任何规划周期"
+                                      "边界上都未成立",
+                                      when));
+  }
+  return texts;
+}
+
 }  // namespace oncard::runtime

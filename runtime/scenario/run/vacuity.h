@@ -34,4 +34,8 @@ Message DescribeVacuous(const Requirement& requirement, const Guard& guard);
 /// `of_all`: no run of an exploration lasts longer.
 std::vector<Message> DescribeLateEvents(const World& world, int64_t end_us, bool of_all);
 
+/// The reactions of the surroundings that nothing has started, one text each; bit n of `started`
+/// says that reaction n has been. `in_any`: in no run of an exploration.
+std::vector<Message> DescribeIdleReactions(const World& world, uint64_t started, bool in_any);
+
 }  // namespace oncard::runtime
