@@ -191,6 +191,12 @@ std::vector<Message> CardModel::Untested() const {
        runtime::DescribeLateEvents(scenario_.world, controller_->clock().UsOf(latest_end_), true)) {
     texts.push_back(std::move(late));
   }
+  if (const runtime::Reactions* reactions = controller_->reactions()) {
+    for (Message& idle :
+         runtime::DescribeIdleReactions(scenario_.world, reactions->started(), true)) {
+      texts.push_back(std::move(idle));
+    }
+  }
   return texts;
 }
 
@@ -415,7 +421,16 @@ int64_t CardModel::BeginCycle() {
   const bool acts = family.cycles_before_act(view) != gtcalls::kNeverActs;
   if (acts || family.writes_variables(view)) held_ = nullptr;
   ++cycles_since_held_;
-  return controller_->BeginCycle();
+  const uint64_t held = ConditionsOfReactions();
+  const int64_t statements = controller_->BeginCycle();
+  // Conditions also depend on the program. What is pending is part of the body.
+  if (ConditionsOfReactions() != held) held_ = nullptr;
+  return statements;
+}
+
+uint64_t CardModel::ConditionsOfReactions() const {
+  const runtime::Reactions* reactions = controller_->reactions();
+  return reactions == nullptr ? 0 : reactions->state().held;
 }
 
 // --- States --------------------------------------------------------------------------------------

@@ -169,6 +169,8 @@ class CardModel {
   void Execute(State* state, int thread);
   /// Returns the statements of the cycle.
   int64_t BeginCycle();
+  /// Those that held at the last boundary of cycles.
+  uint64_t ConditionsOfReactions() const;
   /// Copies the state of the card.
   void Save(State* state);
   std::shared_ptr<const Body> CurrentBody() const;

@@ -74,6 +74,52 @@ TEST(CardModel, AWaitingThreadTakesNoStatements) {
   EXPECT_GE(model.controller().NowMs(), 5);
 }
 
+// 4 statements per cycle, and the boundary after them can come between `go = 1` and `go = 0` or
+// not: states that differ in nothing but the reaction then come from the same body. The filter
+// takes three cycles.
+TEST(CardModel, TheWorldReactsToWhatTheScheduleMakesOfAProgram) {
+  constexpr const char* kPulse =
+      "int go, b;\n"
+      "int t0() { go = 1; go = 0; return 0; }\n"
+      "int t1() { b = 1; b = 2; b = 3; b = 4; return 0; }\n";
+  const std::string keys =
+      "rate = 16\nuntil_ms = 3\n[[world.react]]\nwhen = \"go == 1\"\nindex = 1\nvalue = 1\n";
+  const auto verdict = [&](const std::string& requirement) {
+    const Findings findings = FindingsOf(kPulse, requirement + keys, {});
+    return findings.exploration.verdict;
+  };
+  EXPECT_EQ(verdict("final = [\"gpi[1] == 0\"]\n"), Verdict::kFailed);
+  EXPECT_EQ(verdict("final = [\"gpi[1] == 1\"]\n"), Verdict::kFailed);
+  EXPECT_EQ(verdict("never = [\"gpi[1] == 1 && clock < 1\"]\n"), Verdict::kProved);
+}
+
+// The reaction is pending when the threads are in the same states again and again.
+TEST(CardModel, WhatIsPendingDistinguishesStates) {
+  constexpr const char* kPolls =
+      "int n;\n"
+      "int t0() {\n  int seen;\nL:\n  GT_GetDi(4, &seen);\n  n = seen & 1;\n  if (n) goto E;\n"
+      "  goto L;\nE:\n  return 0;\n}\n";
+  const std::string react =
+      "[[world.react]]\nwhen = \"thread0.statements >= 1\"\nafter_ms = 5\nindex = 1\nvalue = 1\n";
+  EXPECT_EQ(FindingsOf(kPolls, "final = [\"n == 1\"]\n" + react, {}).exploration.verdict,
+            Verdict::kProved);
+  CardModel model = CardOf(kPolls, react);
+  const CardModel::State end = RunToEnd(&model, FirstChoice);
+  EXPECT_TRUE(end.finished);
+  // It starts at 0.25 ms; the program sees it with the third sample, in the cycle up to 6 ms.
+  EXPECT_EQ(model.controller().NowMs(), 6);
+}
+
+TEST(CardModel, NamesReactionsThatNoRunStarts) {
+  CardModel model = CardOf("int a;\nint t0() { a = 1; return 0; }\n",
+                           "until_ms = 1\n[[world.react]]\nwhen = \"a == 2\"\nvalue = 1\n");
+  RunToEnd(&model, FirstChoice);
+  ASSERT_EQ(model.Untested().size(), 1u);
+  EXPECT_EQ(model.Untested()[0].en,
+            "no run starts the [[world.react]] of 'a == 2': it held at no boundary of profile "
+            "cycles");
+}
+
 TEST(CardModel, SaysHowARunEnds) {
   const auto fault = [](const char* program, const char* keys) {
     CardModel model = CardOf(program, keys);
