@@ -464,6 +464,25 @@ TEST(RewindableRun, TheHostOfAScenarioWritesInTheMiddleOfACycle) {
   EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kRace, scenario));
 }
 
+TEST(RewindableRun, PutsBackWhatTheWorldIsAboutToDo) {
+  const std::string program =
+      "int n;\nint f()\n{\n  int seen;\n  n = 1;\nlbl:\n  GT_GetDi(4, &seen);\n"
+      "  n = n + 1;\n  if (seen) goto end;\n  goto lbl;\nend:\n  return 0;\n}\n";
+  const std::string scenario =
+      "[[world.react]]\nwhen = \"n >= 1\"\nafter_ms = 2\nindex = 1\nvalue = 1\n";
+  const auto run = RunOf(program, scenario);
+  const std::vector<uint64_t> hashes = HashesToTheEnd(run.get());
+  // The condition holds at 0.25 ms; the program sees the input in the cycle up to 3 ms.
+  EXPECT_EQ(run->controller().NowMs(), 3);
+  EXPECT_EQ(hashes.back(), HashOfWholeRun(program, scenario));
+  for (const int64_t moment : {200, 100, 5, 0}) {
+    run->GoTo(moment);
+    const std::vector<uint64_t> again = HashesToTheEnd(run.get());
+    EXPECT_TRUE(std::equal(again.rbegin(), again.rend(), hashes.rbegin())) << moment;
+  }
+  EXPECT_EQ(HashOfReplay(program, run.get()), run->controller().Hash());
+}
+
 constexpr const char* kHomeSwitch =
     "until_ms = 10\n[[world.switch]]\naxis = 1\nfrom = 500\nto = 600\n";
 
