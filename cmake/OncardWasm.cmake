@@ -8,7 +8,9 @@ set(ONCARD_SYSTEM _wasi)
 
 target_compile_definitions(nlohmann_json::nlohmann_json INTERFACE JSON_NOEXCEPTION)
 
-target_compile_options(oncard_options INTERFACE -fno-exceptions)
+# Modules are downloaded: optimized as a whole they are smaller by 2 %.
+target_compile_options(oncard_options INTERFACE -fno-exceptions -flto)
+target_link_options(oncard_options INTERFACE -flto)
 find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp PATHS /usr/include NO_DEFAULT_PATH REQUIRED)
 
 # oncard_module_link(TARGET [OPTIONS ...]): links a module, with options for the linker. The stack comes first in
