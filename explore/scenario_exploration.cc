@@ -124,20 +124,6 @@ bool ChecksSomething(const runtime::Scenario& scenario) {
                               scenario.explore->verdict == VerdictName(Verdict::kFailed));
 }
 
-bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
-  const auto calls = [](const vm::Function& function) {
-    return std::ranges::any_of(function.instructions, [](const vm::Instruction& instruction) {
-      return instruction.opcode == vm::Opcode::kCommand;
-    });
-  };
-  return scenario.until_us || std::ranges::any_of(object.functions, calls) ||
-         std::ranges::any_of(scenario.threads,
-                             [](const auto& thread) { return thread.period_ms != 0; }) ||
-         std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
-           return expectation.at_us.has_value() || expectation.condition.HasTolerance();
-         });
-}
-
 void Describe(const runtime::Scenario& scenario, Subject* subject) {
   const auto name_of = [](const std::string& path) { return FileNameOf(PathOf(path).filename()); };
   subject->program = name_of(scenario.program);
@@ -150,7 +136,7 @@ void Describe(const runtime::Scenario& scenario, Subject* subject) {
   subject->scenario_hash = XXH64(text.data(), text.size(), 0);
   subject->races = *RaceRuleNamed(scenario.races);
   subject->sync = scenario.sync;
-  if (!NeedsCard(scenario, subject->image->object)) return;
+  if (!runtime::NeedsCard(scenario, subject->image->object)) return;
   subject->card = CardConditionsOf(scenario);
 }
 
@@ -261,7 +247,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
     }
     return exploration;
   };
-  if (NeedsCard(scenario, object)) {
+  if (runtime::NeedsCard(scenario, object)) {
     auto model = CardModel::Create(scenario, requirements, object);
     if (!model.ok()) return model.error();
     CardModel& card = model.value();
@@ -290,7 +276,7 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                      "values that the host would write",
                      "带主机事件的场景无法探索：应在启动线程时就给出主机要写入的值");
   }
-  return NeedsCard(scenario, object)
+  return runtime::NeedsCard(scenario, object)
              ? ExploreWithCard(scenario, requirements, std::move(object), options)
              : ExploreProgram(scenario, requirements, std::move(object), options);
 }

@@ -20,10 +20,6 @@ ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 /// well.
 bool ChecksSomething(const runtime::Scenario& scenario);
 
-/// True if time or the card matters: the program calls GT commands, a thread is periodic, the
-/// scenario ends at an instant, or an expectation has one.
-bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
-
 /// A scenario whose program needs no card, with its expectations and the requirements. Fails if the
 /// scenario does not fit the program, or a requirement is invalid.
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,

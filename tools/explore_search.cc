@@ -6,6 +6,7 @@
 #include "compiler/text.h"
 #include "explore/scenario_exploration.h"
 #include "explore/search/search_check.h"
+#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::tools {
 namespace {
@@ -18,7 +19,7 @@ runtime::Scenario At(const std::string& path) {
 }
 
 Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
-  if (explore::NeedsCard(subject.scenario, subject.object)) {
+  if (runtime::NeedsCard(subject.scenario, subject.object)) {
     return MakeError(
         1,
         "the search of a program with its card cannot be saved or split: explore it in one piece",

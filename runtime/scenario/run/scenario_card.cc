@@ -1,5 +1,6 @@
 #include "runtime/scenario/run/scenario_card.h"
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
@@ -48,6 +49,20 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   controller->ListenToClock([world = scenario.world, bus = scenario.bus, &clock, &core] {
     FollowClock(world, bus, clock, core);
   });
+}
+
+bool NeedsCard(const Scenario& scenario, const vm::Object& object) {
+  const auto calls = [](const vm::Function& function) {
+    return std::ranges::any_of(function.instructions, [](const vm::Instruction& instruction) {
+      return instruction.opcode == vm::Opcode::kCommand;
+    });
+  };
+  return scenario.until_us || std::ranges::any_of(object.functions, calls) ||
+         std::ranges::any_of(scenario.threads,
+                             [](const auto& thread) { return thread.period_ms != 0; }) ||
+         std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
+           return expectation.at_us.has_value() || expectation.condition.HasTolerance();
+         });
 }
 
 }  // namespace oncard::runtime

@@ -17,4 +17,8 @@ ControllerOptions CardOptions(const Scenario& scenario);
 /// scenario's surroundings. Times count from power-on.
 void ApplyWorld(const Scenario& scenario, Controller* controller);
 
+/// True if time or the card matters: the program calls GT commands, a thread is periodic, the
+/// scenario ends at an instant, or an expectation has one.
+bool NeedsCard(const Scenario& scenario, const vm::Object& object);
+
 }  // namespace oncard::runtime
