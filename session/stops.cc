@@ -94,7 +94,7 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
     auto& list = scope == runtime::Scope::kFinal        ? stops.final_
                  : scope == runtime::Scope::kEventually ? stops.eventually_
                                                         : stops.requirements_;
-    list.push_back({std::move(conditions[i]), scope == runtime::Scope::kNever, false, -1,
+    list.push_back({std::move(conditions[i].condition), scope == runtime::Scope::kNever, false, -1,
                     requirements[i].Title()});
   }
   return stops;

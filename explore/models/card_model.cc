@@ -161,8 +161,8 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     const Scope scope = requirements[i].scope;
     has_invariants_ = has_invariants_ || scope != Scope::kFinal;
     const bool of_every_state = scope == Scope::kAlways || scope == Scope::kNever;
-    watches_card_ = watches_card_ || (of_every_state && NamesCard(conditions[i]));
-    requirements_.push_back({requirements[i], std::move(conditions[i])});
+    watches_card_ = watches_card_ || (of_every_state && NamesCard(conditions[i].condition));
+    requirements_.push_back({requirements[i], std::move(conditions[i].condition)});
   }
   BindGuards();
 }

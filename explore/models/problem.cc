@@ -194,7 +194,7 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                   MakeMessage("there are more than {0} 'eventually' expressions",
                               "“eventually”表达式超过 {0} 个", kEventuallyMax));
     }
-    problem.requirements.push_back({requirements[i].scope, std::move(properties[i])});
+    problem.requirements.push_back({requirements[i].scope, std::move(properties[i].condition)});
     BindGuard(requirements[i], problem.model, &problem.requirements.back());
   }
   return problem;

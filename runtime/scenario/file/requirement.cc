@@ -4,21 +4,25 @@
 
 #include <array>
 
+#include "base/milliseconds.h"
+
 namespace oncard::runtime {
 namespace {
 
 struct ScopeKey {
   Scope scope;
   std::string_view name;
-  std::vector<std::string> Scenario::*texts;
+  std::vector<std::string> Scenario::*texts;  ///< nullptr: tables
 };
 
 /// In the order in which a scenario's requirements are checked and reported.
-constexpr std::array<ScopeKey, 4> kScopes = {{
+constexpr std::array<ScopeKey, 6> kScopes = {{
     {Scope::kFinal, "final", &Scenario::final},
     {Scope::kAlways, "always", &Scenario::always},
     {Scope::kNever, "never", &Scenario::never},
     {Scope::kEventually, "eventually", &Scenario::eventually},
+    {Scope::kLeads, "leads", &Scenario::leads},
+    {Scope::kWithin, "within", nullptr},
 }};
 
 const ScopeKey& KeyOf(Scope scope) { return kScopes[static_cast<size_t>(scope)]; }
@@ -34,15 +38,46 @@ std::optional<Scope> ScopeNamed(std::string_view name) {
   return std::nullopt;
 }
 
-std::string Requirement::Title() const { return fmt::format("{}: {}", ScopeName(scope), text); }
+std::string Requirement::Expression() const {
+  return then.empty() ? text : fmt::format("{} {} {}", text, kArrow, then);
+}
+
+std::string Requirement::Title() const {
+  if (scope != Scope::kWithin) return fmt::format("{}: {}", ScopeName(scope), Expression());
+  return fmt::format("{} {} ms: {}", ScopeName(scope), FormatMs(within_us), Expression());
+}
+
+Result<void> CheckForm(const Requirement& requirement) {
+  if (!requirement.IsResponse()) return {};
+  for (const std::string& side : {requirement.text, requirement.then}) {
+    if (side.find(kArrow) == std::string::npos) continue;
+    return MakeError(1, "'{0}' has more than one '->': write a requirement for each of them",
+                     "“{0}”含有多个“->”：应分别写成单独的要求", requirement.Expression());
+  }
+  if (!requirement.text.empty() && !requirement.then.empty()) return {};
+  return MakeError(1,
+                   "'{0}' must be two conditions with '->' between them, as in 'gpi[1] == 1 -> "
+                   "axis1.moving == 0'",
+                   "“{0}”应为两个条件，中间为“->”，如“gpi[1] == 1 -> axis1.moving == 0”",
+                   requirement.Expression());
+}
 
 std::vector<Requirement> RequirementsOf(const Scenario& scenario) {
   std::vector<Requirement> requirements;
   for (const ScopeKey& key : kScopes) {
+    if (key.texts == nullptr) continue;
     const std::vector<std::string>& texts = scenario.*key.texts;
     for (size_t i = 0; i < texts.size(); ++i) {
-      requirements.push_back({key.scope, texts[i], PlaceOfText(scenario, key.name, i)});
+      const TextPlace place = PlaceOfText(scenario, key.name, i);
+      requirements.push_back(
+          key.scope == Scope::kLeads
+              ? ReadResponse(key.scope, texts[i], [&](std::string_view) { return place; })
+              : Requirement{key.scope, texts[i], place});
     }
+  }
+  for (const TimedResponse& within : scenario.within) {
+    requirements.push_back({Scope::kWithin, within.after, within.after_place, within.then,
+                            within.then_place, within.us, within.us_place});
   }
   return requirements;
 }
@@ -50,12 +85,25 @@ std::vector<Requirement> RequirementsOf(const Scenario& scenario) {
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario) {
   for (const Requirement& requirement : requirements) {
     const ScopeKey& key = KeyOf(requirement.scope);
+    if (key.texts == nullptr) {
+      scenario->within.push_back({requirement.text, requirement.then, requirement.within_us,
+                                  requirement.place, requirement.then_place,
+                                  requirement.time_place});
+      continue;
+    }
     std::vector<std::string>& texts = scenario->*key.texts;
     std::vector<TextPlace>& places = scenario->text_places[std::string(key.name)];
     places.resize(texts.size());
     places.push_back(requirement.place);
-    texts.push_back(requirement.text);
+    texts.push_back(requirement.Expression());
   }
+}
+
+void ClearRequirements(Scenario* scenario) {
+  for (const ScopeKey& key : kScopes) {
+    if (key.texts != nullptr) (scenario->*key.texts).clear();
+  }
+  scenario->within.clear();
 }
 
 }  // namespace oncard::runtime

@@ -1,6 +1,7 @@
 // The requirements of a scenario on the states of its runs: conditions
-// (runtime/conditions/condition.h) under `final`, `always`, `never` and `eventually`. One run
-// checks them in its own states (requirement_watch.h), the explorer in the states of all schedules.
+// (runtime/conditions/condition.h) under `final`, `always`, `never` and `eventually`, and
+// responses, two conditions under `leads` and `within`. One run checks them in its own states
+// (requirement_watch.h), the explorer in the states of all schedules.
 // Tested by tests/runtime/requirement_watch_test.cc.
 #pragma once
 
@@ -10,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
+#include "base/trim.h"
 #include "runtime/conditions/condition.h"
 #include "runtime/scenario/file/placed_errors.h"
 #include "runtime/scenario/file/scenario.h"
@@ -21,10 +24,16 @@ enum class Scope : uint8_t {
   kFinal,
   kAlways,
   kNever,
-  kEventually  ///< some state of every run
+  kEventually,  ///< some state of every run
+  // Responses: a state with the left side, then this or a later one with the right side.
+  kLeads,
+  kWithin  ///< whose clock is at most `within_us` greater
 };
 
-/// `final`, `always`, `never`, `eventually`.
+/// `p -> q`: the condition of a response, and the one that must follow.
+inline constexpr std::string_view kArrow = "->";
+
+/// `final`, `always`, `never`, `eventually`, `leads`, `within`.
 std::string_view ScopeName(Scope scope);
 /// The scope with that name.
 std::optional<Scope> ScopeNamed(std::string_view name);
@@ -32,17 +41,45 @@ std::optional<Scope> ScopeNamed(std::string_view name);
 /// A requirement as written.
 struct Requirement {
   Scope scope = Scope::kFinal;
-  std::string text;
+  std::string text;  ///< of a response, its left side
   TextPlace place = {};
+  // Of a response:
+  std::string then = {};  ///< its right side
+  TextPlace then_place = {};
+  int64_t within_us = 0;  ///< kWithin
+  TextPlace time_place = {};
 
-  /// `always: x < 3`.
+  bool IsResponse() const { return scope == Scope::kLeads || scope == Scope::kWithin; }
+  /// `x < 3`, `p -> q`.
+  std::string Expression() const;
+  /// `always: x < 3`, `within 5 ms: p -> q`.
   std::string Title() const;
 };
 
-/// `final`, `always`, `never` and `eventually` of a scenario.
+/// A response from its text `p -> q`; `place_of` gives the place of a part of the text. What is not
+/// of this form is kept, for CheckForm() to refuse.
+template <typename PlaceOf>
+Requirement ReadResponse(Scope scope, std::string_view text, PlaceOf place_of);
+
+/// Fails for a response that does not have one `->` between two conditions.
+Result<void> CheckForm(const Requirement& requirement);
+
+/// The requirements of a scenario.
 std::vector<Requirement> RequirementsOf(const Scenario& scenario);
 
 /// Appends requirements to the keys of a scenario.
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario);
+
+/// Removes all of them.
+void ClearRequirements(Scenario* scenario);
+
+template <typename PlaceOf>
+Requirement ReadResponse(Scope scope, std::string_view text, PlaceOf place_of) {
+  const size_t arrow = text.find(kArrow);
+  const std::string_view left = Trim(text.substr(0, arrow));
+  const std::string_view right =
+      arrow == std::string_view::npos ? left.substr(left.size()) : Trim(text.substr(arrow + 2));
+  return {scope, std::string(left), place_of(left), std::string(right), place_of(right)};
+}
 
 }  // namespace oncard::runtime

@@ -66,6 +66,17 @@ struct HostEvent {
   bool operator==(const HostEvent&) const = default;
 };
 
+/// A condition that another one must follow in time.
+struct TimedResponse {
+  std::string after;
+  std::string then;
+  int64_t us = 0;
+  TextPlace after_place = {};
+  TextPlace then_place = {};
+  TextPlace us_place = {};
+  bool operator==(const TimedResponse&) const = default;
+};
+
 /// Options for exploring a scenario.
 struct ExploreWish {
   std::string engine = "auto";
@@ -131,9 +142,12 @@ struct Scenario {
   std::vector<std::string> never;
   /// Expressions that must hold in some state of every run.
   std::vector<std::string> eventually;
+  /// `p -> q`: each state with `p` is followed by this or a later one with `q`.
+  std::vector<std::string> leads;
+  std::vector<TimedResponse> within;
   /// The places of the texts of `schedule`, `trace`, `final`, `always`, `never`, `eventually`,
-  /// `races`, `sync` and `explore.engine`, by key, and kReactionPlaces; those that do not come from
-  /// a file have none, at the end of the list.
+  /// `leads`, `races`, `sync` and `explore.engine`, by key, and kReactionPlaces; those that do not
+  /// come from a file have none, at the end of the list.
   std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
   /// Allowed data races: `any`, `benign` or `none`.
   std::string races = "any";

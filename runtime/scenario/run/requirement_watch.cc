@@ -26,7 +26,9 @@ RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::s
   for (Requirement& requirement : requirements) {
     observes_states_ = observes_states_ || requirement.scope != Scope::kFinal;
     auto guard = GuardOf(requirement);
-    watched_.push_back({std::move(requirement), std::nullopt, std::move(guard)});
+    watched_.push_back({.requirement = std::move(requirement),
+                        .condition = std::nullopt,
+                        .guard = std::move(guard)});
   }
 }
 
@@ -38,7 +40,8 @@ void RequirementWatch::Begin(const Controller& controller, ScenarioErrors* error
   auto conditions = ReadRequirements<CardCondition>(requirements, controller, errors);
   if (conditions.size() < watched_.size()) return;
   for (size_t i = 0; i < watched_.size(); ++i) {
-    watched_[i].condition = std::move(conditions[i]);
+    watched_[i].condition = std::move(conditions[i].condition);
+    watched_[i].then = std::move(conditions[i].then);
     BindGuard(controller, &watched_[i]);
   }
   RememberThreads(controller);
@@ -61,20 +64,28 @@ void RequirementWatch::Follow(const Controller& controller) {
 
 void RequirementWatch::Bind(const Controller& controller, Watched* watched) const {
   watched->condition.reset();
-  auto condition = ParseCondition(watched->requirement.text);
-  if (!condition.ok()) {
-    watched->missing = condition.error().message;
-    return;
+  watched->then.reset();
+  const auto bind = [&](const std::string& text) -> std::optional<CardCondition> {
+    auto condition = ParseCondition(text);
+    auto bound = condition.ok() ? CardCondition::Bind(std::move(condition).value(), controller)
+                                : Result<CardCondition>(condition.error());
+    if (!bound.ok()) {
+      watched->missing = bound.error().message;
+    } else if (!names_->acts && NamesProgram(bound.value())) {
+      watched->missing = {"no thread of a program has been started", "没有启动任何程序的线程"};
+    } else {
+      return std::move(bound).value();
+    }
+    return std::nullopt;
+  };
+  auto condition = bind(watched->requirement.text);
+  if (!condition) return;
+  if (watched->requirement.IsResponse()) {
+    watched->then = bind(watched->requirement.then);
+    if (!watched->then) return;
   }
-  auto bound = CardCondition::Bind(std::move(condition).value(), controller);
-  if (!bound.ok()) {
-    watched->missing = bound.error().message;
-  } else if (!names_->acts && NamesProgram(bound.value())) {
-    watched->missing = {"no thread of a program has been started", "没有启动任何程序的线程"};
-  } else {
-    watched->condition = std::move(bound).value();
-    BindGuard(controller, watched);
-  }
+  watched->condition = std::move(condition);
+  BindGuard(controller, watched);
 }
 
 void RequirementWatch::BindGuard(const Controller& controller, Watched* watched) {
@@ -91,6 +102,10 @@ void RequirementWatch::ObserveState(const Controller& controller) {
     if (watched.settled() || !watched.condition || scope == Scope::kFinal) continue;
     if (watched.states++ == 0) watched.since_ms = controller.NowMs();
     watched.LookForGuard(controller);
+    if (watched.then) {
+      ObserveResponse(controller, &watched);
+      continue;
+    }
     const bool holds = watched.condition->Holds(controller);
     if (holds == (scope == Scope::kAlways)) continue;
     if (scope == Scope::kEventually) {
@@ -106,11 +121,28 @@ void RequirementWatch::ObserveState(const Controller& controller) {
   RememberThreads(controller);
 }
 
+void RequirementWatch::ObserveResponse(const Controller& controller, Watched* watched) {
+  const bool waited = watched->owed.pending;
+  watched->owed.Observe(
+      watched->requirement, watched->condition->Holds(controller), watched->then->Holds(controller),
+      controller.clock().NsOf(controller.cycle()), controller.machine().state().executed);
+  if (watched->owed.late) {
+    Fail(watched, DescribeUnanswered(watched->requirement, watched->since, Place(controller),
+                                     watched->then->DescribeValues(controller)));
+  } else if (watched->owed.pending && !waited) {
+    watched->since = Place(controller);
+  }
+}
+
 void RequirementWatch::End(const Controller& controller) {
   for (Watched& watched : watched_) {
     const Message values =
         watched.condition ? watched.condition->DescribeValues(controller) : Message();
-    if (watched.requirement.scope == Scope::kFinal && watched.condition) {
+    if (watched.requirement.scope == Scope::kLeads && watched.owed.pending) {
+      Fail(&watched,
+           DescribeUnanswered(watched.requirement, watched.since, {},
+                              watched.then ? watched.then->DescribeValues(controller) : Message()));
+    } else if (watched.requirement.scope == Scope::kFinal && watched.condition) {
       ++watched.states;
       watched.LookForGuard(controller);
       if (watched.condition->Holds(controller)) {
@@ -172,6 +204,8 @@ std::vector<Message> RequirementWatch::DescribeHeld() const {
     const std::string title = watched.requirement.Title();
     switch (watched.requirement.scope) {
       case Scope::kAlways:
+      case Scope::kLeads:
+      case Scope::kWithin:
         held.push_back(MakeMessage("'{0}': held in all {1} states from {2} ms on",
                                    "“{0}”：自 {2} ms 起在全部 {1} 个状态中成立", title,
                                    watched.states, watched.since_ms));

@@ -1,6 +1,6 @@
 // Checks a scenario's requirements in one run: `always` and `never` in every state of the run,
-// `eventually` and `final`. The program of a run is there from the beginning (Begin()); that of a
-// host comes when the host downloads it, and can change (Follow()). Tested by
+// `eventually` and `final`, and responses. The program of a run is there from the beginning
+// (Begin()); that of a host comes when the host downloads it, and can change (Follow()). Tested by
 // tests/runtime/requirement_watch_test.cc.
 #pragma once
 
@@ -16,6 +16,7 @@
 #include "runtime/conditions/card_condition.h"
 #include "runtime/conditions/program_names.h"
 #include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_watch.h"
 #include "runtime/scenario/run/scenario_run.h"
 #include "runtime/scenario/run/vacuity.h"
@@ -53,6 +54,9 @@ class RequirementWatch : public RunWatch {
   struct Watched {
     Requirement requirement;
     std::optional<CardCondition> condition;  ///< empty while its names do not exist
+    std::optional<CardCondition> then = {};  ///< of a response: its right side, with the condition
+    Owed owed = {};                          ///< to a response
+    Message since = {};                      ///< where it is owed since
     std::optional<Guard> guard = {};
     std::optional<CardCondition> matters = {};  ///< of the guard, with the condition
     bool mattered = false;
@@ -77,6 +81,7 @@ class RequirementWatch : public RunWatch {
   Names NamesNow(const Controller& controller) const;
   void Bind(const Controller& controller, Watched* watched) const;
 
+  void ObserveResponse(const Controller& controller, Watched* watched);
   /// Binds the guard of a requirement whose condition is bound.
   static void BindGuard(const Controller& controller, Watched* watched);
   void Fail(Watched* watched, Message message);

@@ -45,22 +45,38 @@ std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller
 std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object,
                               ScenarioErrors* errors);
 
-/// Parses requirements and binds each as a `Bound` to the names of a card or of a model. Invalid
-/// ones are added to `errors` and not included in the result.
+/// The conditions of a requirement, bound to names.
+template <typename Bound>
+struct BoundSides {
+  Bound condition;                 ///< of a response, its left side
+  std::optional<Bound> then = {};  ///< of a response, its right side
+};
+
+/// Parses requirements and binds their conditions to the names of a card or of a model, each as a
+/// `Bound`. Invalid ones are added to `errors` and not included in the result.
 template <typename Bound, typename Names>
-std::vector<Bound> ReadRequirements(const std::vector<Requirement>& requirements,
-                                    const Names& names, ScenarioErrors* errors) {
-  std::vector<Bound> all;
+std::vector<BoundSides<Bound>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                                const Names& names, ScenarioErrors* errors) {
+  std::vector<BoundSides<Bound>> all;
   for (const Requirement& requirement : requirements) {
-    if (!errors->CanJudge(requirement.text)) continue;
-    auto condition = ParseCondition(requirement.text);
-    auto one = condition.ok() ? Bound::Bind(std::move(condition).value(), names)
-                              : Result<Bound>(condition.error());
-    if (one.ok()) {
-      all.push_back(std::move(one).value());
-    } else {
-      errors->AddText(requirement.place, requirement.Title(), one.error().message);
+    if (!errors->CanJudge(requirement.Expression())) continue;
+    if (const auto form = CheckForm(requirement); !form.ok()) {
+      errors->AddText(requirement.place, requirement.Title(), form.error().message);
+      continue;
     }
+    const auto bind = [&](const std::string& text, const TextPlace& place) -> std::optional<Bound> {
+      auto condition = ParseCondition(text);
+      auto bound = condition.ok() ? Bound::Bind(std::move(condition).value(), names)
+                                  : Result<Bound>(condition.error());
+      if (bound.ok()) return std::move(bound).value();
+      errors->AddText(place, requirement.Title(), bound.error().message);
+      return std::nullopt;
+    };
+    auto condition = bind(requirement.text, requirement.place);
+    std::optional<Bound> then;
+    if (requirement.IsResponse()) then = bind(requirement.then, requirement.then_place);
+    if (!condition || (requirement.IsResponse() && !then)) continue;
+    all.push_back({*std::move(condition), std::move(then)});
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include "base/milliseconds.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/observe/thread_status.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_course.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/run/scenario_start.h"
@@ -97,7 +98,9 @@ class ScenarioRunner {
     course_.Read(scenario_, &controller_, &errors_);
     FindShown();
     traced_ = TraceQuantities(scenario_, controller_, &errors_);
-    if (options_.watch != nullptr) options_.watch->Begin(controller_, &errors_);
+    if (options_.watch == nullptr) return;
+    CheckTimes(RequirementsOf(scenario_), scenario_, image().object, &errors_);
+    options_.watch->Begin(controller_, &errors_);
   }
 
   void FindShown() {

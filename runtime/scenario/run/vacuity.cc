@@ -51,6 +51,7 @@ std::string InstantsAfter(const Events& events, int64_t end_us) {
 
 std::optional<Guard> GuardOf(const Requirement& requirement) {
   const std::string_view text = requirement.text;
+  if (requirement.IsResponse()) return GuardWith(text, false);
   const size_t last_or = LastOutside(text, "||");
   if (requirement.scope == Scope::kNever) {
     const size_t last_and = LastOutside(text, "&&");

@@ -17,7 +17,8 @@
 namespace oncard::runtime {
 
 /// The left side of a requirement whose right side matters only in some states: `a` of
-/// `never: a && b`, and `!a` of `always: !a || b` or `final: !a || b`, which is an implication.
+/// `never: a && b` and `leads: a -> b`, and `!a` of `always: !a || b` or `final: !a || b`, which is
+/// an implication.
 struct Guard {
   Condition matters;     ///< holds where the right side matters
   std::string left;      ///< the left side as written
