@@ -494,22 +494,32 @@ Result<void> RewindableRun::WatchRaces(bool on) {
 
 // --- What must hold at some time -----------------------------------------------------------------
 
-void RewindableRun::Await(std::vector<runtime::CardCondition> conditions) {
+void RewindableRun::Await(std::vector<runtime::CardCondition> conditions,
+                          std::vector<Response> responses) {
   awaited_ = std::move(conditions);
+  responses_ = std::move(responses);
   place_.held.assign(awaited_.size(), false);
+  place_.owed.assign(responses_.size(), {});
   NoteState();
   Keep();
 }
 
 bool RewindableRun::Awaits() const {
   const std::vector<bool>& held = place_.held;
-  return place_.over_cycle < 0 && std::find(held.begin(), held.end(), false) != held.end();
+  const bool waits = std::find(held.begin(), held.end(), false) != held.end();
+  return place_.over_cycle < 0 && (waits || !responses_.empty());
 }
 
 void RewindableRun::NoteState() {
   if (!Awaits()) return;
   for (size_t i = 0; i < awaited_.size(); ++i) {
     if (!place_.held[i]) place_.held[i] = awaited_[i].Holds(controller_);
+  }
+  for (size_t i = 0; i < responses_.size(); ++i) {
+    const Response& response = responses_[i];
+    place_.owed[i].Observe(response.requirement, response.left.Holds(controller_),
+                           response.right.Holds(controller_), clock().NsOf(controller_.cycle()),
+                           machine().state().executed);
   }
 }
 

@@ -27,6 +27,7 @@
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/scenario/record/host_calls.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_course.h"
 #include "runtime/sim/controller.h"
 #include "session/race_watch.h"
@@ -178,12 +179,21 @@ class RewindableRun {
 
   // --- What must hold at some time -------------------------------------------------------------
 
-  /// Notes from now on which conditions have held in a state of the scenario's run: the present
-  /// one, after the beginning of a cycle, and after a statement. To be called at moment 0. While
-  /// one has not held yet, every statement is executed by itself.
-  void Await(std::vector<runtime::CardCondition> conditions);
+  /// A response with its sides.
+  struct Response {
+    runtime::Requirement requirement;
+    runtime::CardCondition left;
+    runtime::CardCondition right;
+  };
+  /// Notes from now on which conditions have held in a state of the scenario's run, and what it
+  /// owes to responses: the present one, after the beginning of a cycle, and after a statement. To
+  /// be called at moment 0. While one has not held yet, and with responses always, every statement
+  /// is executed by itself.
+  void Await(std::vector<runtime::CardCondition> conditions, std::vector<Response> responses = {});
   /// True if the condition with this number has held up to the present.
   bool HasHeld(size_t condition) const { return place_.held[condition]; }
+  /// What is owed at present to the response with this number.
+  const runtime::Owed& OwedTo(size_t response) const { return place_.owed[response]; }
 
   // --- Changes ---------------------------------------------------------------------------------
 
@@ -238,12 +248,13 @@ class RewindableRun {
     int64_t statements_done = 0;  ///< of this cycle
     int64_t refused = 0;
     int64_t failed = 0;
-    int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
-    bool end_judged = false;  ///< by the supervisor, since the last change
-    size_t findings = 0;      ///< of the supervisor, that have been noted
-    int64_t warned = 0;       ///< warned()
-    std::vector<bool> held;   ///< which of the awaited conditions have held
-    size_t calls = 0;         ///< of the recorded host
+    int64_t over_cycle = -1;          ///< the cycle with whose end the scenario's run was over
+    bool end_judged = false;          ///< by the supervisor, since the last change
+    size_t findings = 0;              ///< of the supervisor, that have been noted
+    int64_t warned = 0;               ///< warned()
+    std::vector<bool> held;           ///< which of the awaited conditions have held
+    std::vector<runtime::Owed> owed;  ///< to each response
+    size_t calls = 0;                 ///< of the recorded host
     int64_t deviations = 0;
     std::shared_ptr<const Message> last_call;
     /// The last refused command of each thread.
@@ -318,9 +329,10 @@ class RewindableRun {
   /// A cycle's statements that no thread can use are lost.
   void LoseStatements();
   void NoteEnd();
-  /// True while a condition is awaited that has not held yet.
+  /// True while a condition is awaited that has not held yet, and during the scenario's run with
+  /// responses.
   bool Awaits() const;
-  /// Notes which awaited conditions hold in this state.
+  /// Notes which awaited conditions hold in this state, and what is owed.
   void NoteState();
   void Keep();
   void ThinOut();
@@ -361,6 +373,7 @@ class RewindableRun {
   StepReport report_;
   std::optional<RaceWatch> races_;
   std::vector<runtime::CardCondition> awaited_;
+  std::vector<Response> responses_;
   std::unique_ptr<vm::MachineState> scratch_ = std::make_unique<vm::MachineState>();
 };
 

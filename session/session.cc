@@ -54,7 +54,7 @@ Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
   if (!run.ok()) return run.error();
   auto stops = Stops::Create(*run.value());
   if (!stops.ok()) return stops.error();
-  run.value()->Await(stops.value().Awaited());
+  run.value()->Await(stops.value().Awaited(), stops.value().Responses());
   Session session(std::move(run).value(), std::move(stops).value());
   if (session.ForbidsRaces()) {
     StopWishes wishes;
@@ -69,6 +69,7 @@ Result<Session> Session::CreateFromCalls(runtime::Scenario scenario,
   auto run = RewindableRun::CreateFromCalls(std::move(scenario), std::move(calls));
   auto stops = Stops::Create(*run);
   if (!stops.ok()) return stops.error();
+  run->Await(stops.value().Awaited(), stops.value().Responses());
   return Session(std::move(run), std::move(stops).value());
 }
 

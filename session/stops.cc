@@ -4,9 +4,11 @@
 #include <bit>
 #include <utility>
 
+#include "base/milliseconds.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/thread_status.h"
 #include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/scenario_errors.h"
 #include "runtime/scenario/run/scenario_start.h"
 
@@ -58,6 +60,17 @@ Message DoesNotHold(const std::string& title, const CardCondition& condition,
   return MakeMessage("{0} does not hold: {1}", "{0} 不成立：{2}", title, values.en, values.zh);
 }
 
+/// Why a response is not given.
+Message DescribeOwed(const RewindableRun::Response& response, const runtime::Owed& owed,
+                     const RewindableRun& run) {
+  const auto at = [](double ms) { return MakeMessage("at {0} ms", "在 {0} ms ", ms); };
+  const Message why = runtime::DescribeUnanswered(
+      response.requirement, at(ToMs(owed.since_ns / runtime::CardClock::kNsPerUs)),
+      at(run.controller().NowMs()), response.right.DescribeValues(run.controller()));
+  return MakeMessage("{0} does not hold: {1}", "{0} 不成立：{2}", response.requirement.Title(),
+                     why.en, why.zh);
+}
+
 /// The first line from `line` on that has a statement in the file; 0: there is none.
 int LineWithStatement(const vm::Object& object, const std::string& file, int line) {
   int nearest = 0;
@@ -86,11 +99,16 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
   Stops stops;
   runtime::ScenarioErrors errors;
   const auto requirements = runtime::RequirementsOf(run.scenario());
+  runtime::CheckTimes(requirements, run.scenario(), run.image().object, &errors);
   auto conditions =
       runtime::ReadRequirements<CardCondition>(requirements, run.controller(), &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   for (size_t i = 0; i < requirements.size(); ++i) {
     const runtime::Scope scope = requirements[i].scope;
+    if (auto& [condition, then] = conditions[i]; then) {
+      stops.answers_.push_back({{requirements[i], std::move(condition), *std::move(then)}});
+      continue;
+    }
     auto& list = scope == runtime::Scope::kFinal        ? stops.final_
                  : scope == runtime::Scope::kEventually ? stops.eventually_
                                                         : stops.requirements_;
@@ -168,6 +186,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.requirements_ = std::move(requirements_);
   stops.final_ = std::move(final_);
   stops.eventually_ = std::move(eventually_);
+  stops.answers_ = std::move(answers_);
   // A line that was there before keeps its count.
   for (Line& line : stops.lines_) {
     const auto same = [&](const Line& old) {
@@ -223,7 +242,7 @@ std::vector<int> Stops::lines() const {
 
 bool Stops::CheckEveryStep() const {
   return !lines_.empty() || !wishes_.changes.empty() || !wishes_.conditions.empty() || races_ ||
-         (checks_requirements_ && !requirements_.empty());
+         (checks_requirements_ && (!requirements_.empty() || !answers_.empty()));
 }
 
 std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
@@ -246,7 +265,18 @@ std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
                                  "{0} 在整个运行中从未成立；结束时 {2}", eventually_[i].title,
                                  values.en, values.zh));
   }
+  for (size_t i = 0; i < answers_.size(); ++i) {
+    const runtime::Requirement& requirement = answers_[i].response.requirement;
+    if (requirement.scope != runtime::Scope::kLeads || !run.OwedTo(i).pending) continue;
+    failed.push_back(DescribeOwed(answers_[i].response, run.OwedTo(i), run));
+  }
   return failed;
+}
+
+std::vector<RewindableRun::Response> Stops::Responses() const {
+  std::vector<RewindableRun::Response> responses;
+  for (const Answer& each : answers_) responses.push_back(each.response);
+  return responses;
 }
 
 std::vector<CardCondition> Stops::Awaited() const {
@@ -273,6 +303,7 @@ void Stops::Begin(const RewindableRun& run) {
     if (sleeps && thread.executed > 0) asleep_ |= 1u << number;
   }
   for (Truth& truth : requirements_) truth.last = truth.condition.Holds(run.controller());
+  for (size_t i = 0; i < answers_.size(); ++i) answers_[i].late = run.OwedTo(i).late;
   Remember(run);
   fault_count_ = machine.state().faults;
 }
@@ -425,6 +456,12 @@ std::optional<Stop> Stops::CheckTruths(const RewindableRun& run, const StepRepor
     if (!changes_to_wanted(truth) || !checks_requirements_ || stop) continue;
     stop = Stop{StopReason::kRequirement, step.thread, -1,
                 DoesNotHold(truth.title, truth.condition, run)};
+  }
+  for (size_t i = 0; i < answers_.size(); ++i) {
+    const bool was_late = std::exchange(answers_[i].late, run.OwedTo(i).late);
+    if (was_late || !answers_[i].late || !checks_requirements_ || stop) continue;
+    stop = Stop{StopReason::kRequirement, step.thread, -1,
+                DescribeOwed(answers_[i].response, run.OwedTo(i), run)};
   }
   for (Truth& truth : conditions_) {
     if (!changes_to_wanted(truth) || stop) continue;

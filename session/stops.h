@@ -36,7 +36,7 @@ struct StopWishes {
   std::vector<std::string> conditions;  ///< stop when one becomes true
   bool faults = true;
   bool refusals = true;      ///< commands of threads and of a recorded host whose code is not 0
-  bool requirements = true;  ///< `always`, `never`, and expectations with an instant
+  bool requirements = true;  ///< `always`, `never`, `within`, and expectations with an instant
   bool races = false;        ///< data races, each pair of statements once
   bool warnings = false;     ///< of the card's supervisor, each once
 };
@@ -100,10 +100,13 @@ class Stops {
   std::optional<Stop> Check(const RewindableRun& run, const StepReport& step,
                             std::vector<LogLine>* log);
   /// The expectations without an instant and the `final` requirements that do not hold at the
-  /// present, and the `eventually` requirements that have not held up to it, and why.
+  /// present, and the `eventually` and `leads` requirements that have not been met up to it, and
+  /// why.
   std::vector<Message> FailedAtEnd(const RewindableRun& run) const;
-  /// The conditions of the `eventually` requirements: for RewindableRun::Await().
+  /// The conditions of the `eventually` requirements, and the responses: for
+  /// RewindableRun::Await().
   std::vector<runtime::CardCondition> Awaited() const;
+  std::vector<RewindableRun::Response> Responses() const;
   /// After Check(): bit n is set if thread n has arrived at the beginning of a line with this step.
   uint32_t arrivals() const { return arrivals_; }
 
@@ -130,6 +133,11 @@ class Stops {
     std::string title;
   };
 
+  struct Answer {
+    RewindableRun::Response response;
+    bool late = false;  ///< a state was too late
+  };
+
   Stops() = default;
   static Result<Line> ReadLine(const LineStop& wish, const runtime::Controller& card);
   /// Resolves all names for the program that the card has. The result says for each line, then each
@@ -152,6 +160,7 @@ class Stops {
   std::vector<Truth> requirements_;  // `always` and `never` of the scenario
   std::vector<Truth> final_;
   std::vector<Truth> eventually_;
+  std::vector<Answer> answers_;  // to responses, `leads` and `within`
   bool faults_ = true;
   bool refusals_ = true;
   bool checks_requirements_ = true;
