@@ -13,10 +13,7 @@ namespace {
 /// The scenario with all requirements, also those of the source's comments.
 runtime::Scenario WithRequirements(const Explored& explored) {
   runtime::Scenario scenario = explored.scenario;
-  scenario.final.clear();
-  scenario.always.clear();
-  scenario.never.clear();
-  scenario.eventually.clear();
+  runtime::ClearRequirements(&scenario);
   runtime::AddRequirements(explored.requirements, &scenario);
   return scenario;
 }

@@ -10,6 +10,7 @@
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
 #include "runtime/scenario/run/adapted_schedule.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/run/scenario_run.h"
 #include "runtime/scenario/run/scenario_start.h"
@@ -214,6 +215,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
     if (auto failure = errors.Failure()) return *std::move(failure);
     return model.error();
   }
+  runtime::CheckTimes(all, scenario, controller.machine().image()->object, &errors);
   Problem problem = BindProblem(std::move(model).value(), all, &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   problem.sync = std::move(sync);

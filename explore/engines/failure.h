@@ -11,8 +11,8 @@
 namespace oncard::explore {
 
 struct Failure {
-  bool livelock = false;
-  Fault fault;                 ///< none for a livelock
+  bool livelock = false;  ///< the run never ends
+  Fault fault;            ///< of a run that never ends: a response that it never gives, or none
   std::vector<uint8_t> steps;  ///< threads of the model, one for each statement
   std::vector<uint8_t> cycle;  ///< livelock: the cycle that then repeats for ever
   int preemptions = 0;

@@ -612,7 +612,7 @@ std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound,
 
 // Tarjan's algorithm without recursion.
 std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
-                                 const std::atomic<bool>* hurried) {
+                                 const std::atomic<bool>* hurried, uint32_t flag) {
   struct Visit {
     uint32_t state;
     int next_thread;
@@ -629,13 +629,21 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
     open.push_back(state);
     path.push_back({state, 0});
   };
-  enter(0);
-  while (!path.empty() && !IsTold(hurried)) {
+  const auto belongs = [&](uint32_t state) {
+    return flag == 0 || (graph.flags[state] & flag) != 0;
+  };
+  uint32_t root = 0;
+  while (!IsTold(hurried)) {
+    if (path.empty()) {
+      while (root < graph.size() && (order[root] != kNone || !belongs(root))) ++root;
+      if (root == graph.size()) break;
+      enter(root);
+    }
     Visit& visit = path.back();
     const uint32_t state = visit.state;
     if (visit.next_thread < graph.threads) {
       const uint32_t next = graph.Next(state, visit.next_thread++);
-      if (next == kNone || component[next] != kNone) continue;
+      if (next == kNone || !belongs(next) || component[next] != kNone) continue;
       if (order[next] == kNone) {
         enter(next);
       } else {
@@ -657,10 +665,10 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
   return component;
 }
 
-Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried) {
+Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried, uint32_t flag) {
   if (!graph.may_cycle) return {};
   uint32_t count = 0;
-  const std::vector<uint32_t> component = Components(graph, &count, hurried);
+  const std::vector<uint32_t> component = Components(graph, &count, hurried, flag);
   if (IsTold(hurried)) return {};
   // A finished thread never continues, so the runnable threads are the same in all states of a
   // component.
@@ -669,6 +677,7 @@ Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried) {
   std::vector<uint32_t> first(count, kNone);
   for (uint32_t state = 0; state < graph.size(); ++state) {
     const uint32_t own = component[state];
+    if (own == kNone) continue;
     if (first[own] == kNone) first[own] = state;
     for (int thread = 0; thread < graph.threads; ++thread) {
       const uint32_t next = graph.Next(state, thread);
@@ -706,6 +715,43 @@ Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried) {
     return lasso;
   }
   return {};
+}
+
+StateGraph OweResponses(const StateGraph& graph, uint32_t left, uint32_t right,
+                        const std::atomic<bool>* hurried) {
+  StateGraph owing;
+  owing.threads = graph.threads;
+  owing.complete = graph.complete;
+  owing.may_cycle = graph.may_cycle;
+  // Each state twice: without and with what it owes.
+  std::vector<uint32_t> numbers(size_t{graph.size()} * 2, kNone);
+  std::vector<size_t> states;
+  const auto enter = [&](uint32_t state, bool owes) {
+    const uint32_t flags = graph.flags[state];
+    owes = (owes || (flags & left) != 0) && (flags & right) == 0;
+    const size_t both = size_t{state} * 2 + (owes ? 1 : 0);
+    if (numbers[both] != kNone) return numbers[both];
+    numbers[both] = owing.size();
+    states.push_back(both);
+    owing.successors.Append(static_cast<size_t>(graph.threads), kNone);
+    const uint32_t bad = owes && (flags & kTerminal) != 0 ? uint32_t{kBad} : 0u;
+    owing.flags.Append(1, (flags & kTerminal) | bad | (owes ? kOwing : 0u));
+    return numbers[both];
+  };
+  enter(0, false);
+  for (uint32_t number = 0; number < states.size(); ++number) {
+    if (IsTold(hurried)) return {};
+    const auto state = static_cast<uint32_t>(states[number] / 2);
+    for (int thread = 0; thread < graph.threads; ++thread) {
+      const uint32_t next = graph.Next(state, thread);
+      if (next == kNone) continue;
+      const uint32_t entered = enter(next, states[number] % 2 != 0);
+      owing.successors[size_t{number} * static_cast<size_t>(graph.threads) +
+                       static_cast<size_t>(thread)] = entered;
+      ++owing.transitions;
+    }
+  }
+  return owing;
 }
 
 bool IsCyclic(const StateGraph& graph, const std::atomic<bool>* hurried) {

@@ -109,13 +109,25 @@ struct Lasso {
   std::vector<uint8_t> stem;   ///< path to the first state of the cycle
   std::vector<uint8_t> cycle;  ///< path back to it
 };
-/// Not found also if `hurried` is set from another thread.
-Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried = nullptr);
+/// All states of the cycle have the flag; 0: any states. Not found also if `hurried` is set from
+/// another thread.
+Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried = nullptr,
+                    uint32_t flag = 0);
 
-/// Strongly connected components: for each state the number of its component. A component's
-/// successors have smaller numbers. Not known for all if `hurried` is set from another thread.
+/// A flag for OweResponses(): the state owes a response.
+inline constexpr uint32_t kOwing = 1u << 31;
+
+/// The same graph with what a response still owes as a part of its states: a state with the flag
+/// `left` owes one, up to a state with `right`. States that do have kOwing, and are kBad if no
+/// thread can run. Empty if `hurried` is set from another thread.
+StateGraph OweResponses(const StateGraph& graph, uint32_t left, uint32_t right,
+                        const std::atomic<bool>* hurried = nullptr);
+
+/// Strongly connected components of the states with the flag (0: of all): for each state the number
+/// of its component; StateGraph::kNone without the flag. A component's successors have smaller
+/// numbers. Not known for all if `hurried` is set from another thread.
 std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
-                                 const std::atomic<bool>* hurried = nullptr);
+                                 const std::atomic<bool>* hurried = nullptr, uint32_t flag = 0);
 
 /// True if some run never ends; false also if `hurried` is set from another thread.
 bool IsCyclic(const StateGraph& graph, const std::atomic<bool>* hurried = nullptr);

@@ -15,16 +15,33 @@ namespace {
 constexpr uint32_t kRacing = kCallersFlag;
 constexpr uint32_t kFirstHolds = kCallersFlag << 1;
 
-/// The flags for the requirements with the scope kEventually, in their order.
+/// The flags for the requirements with the scopes kEventually and kLeads, in their order: one for
+/// each condition.
 uint32_t HoldingFlags(const Problem& problem, const Model& state) {
   uint32_t flags = 0;
   uint32_t flag = kFirstHolds;
-  for (const BoundRequirement& requirement : problem.requirements) {
-    if (requirement.scope != Scope::kEventually) continue;
-    if (requirement.property.Holds(state)) flags |= flag;
+  const auto note = [&](const Property& property) {
+    if (property.Holds(state)) flags |= flag;
     flag <<= 1;
+  };
+  for (const BoundRequirement& requirement : problem.requirements) {
+    if (requirement.scope != Scope::kEventually && requirement.scope != Scope::kLeads) continue;
+    note(requirement.property);
+    if (requirement.then) note(*requirement.then);
   }
   return flags;
+}
+
+/// Calls `visit` with each requirement under a scope, and the first of its flags.
+template <typename Visit>
+void ForEachFlagged(const Problem& problem, Scope scope, Visit visit) {
+  uint32_t flag = kFirstHolds;
+  for (size_t i = 0; i < problem.requirements.size(); ++i) {
+    const Scope own = problem.requirements[i].scope;
+    if (own == scope) visit(static_cast<int>(i), flag);
+    if (own == Scope::kEventually) flag <<= 1;
+    if (own == Scope::kLeads) flag <<= 2;
+  }
 }
 
 /// Finds races in the states of a graph while it is built.
@@ -72,16 +89,41 @@ class RaceSearch {
 /// A run that ends without ever reaching a state in which a kEventually requirement holds.
 std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph,
                                   const std::atomic<bool>* hurried) {
-  uint32_t flag = kFirstHolds;
-  for (size_t i = 0; i < problem.requirements.size(); ++i) {
-    if (problem.requirements[i].scope != Scope::kEventually) continue;
-    if (auto way = WayTo(graph, kTerminal, flag, hurried)) {
-      way->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
-      return way;
+  std::optional<Failure> found;
+  ForEachFlagged(problem, Scope::kEventually, [&](int requirement, uint32_t flag) {
+    if (found) return;
+    found = WayTo(graph, kTerminal, flag, hurried);
+    if (found) found->fault = {Fault::Kind::kRequirement, requirement, 0};
+  });
+  return found;
+}
+
+/// A run that never ends.
+Failure FailureOf(Lasso lasso) {
+  Failure failure;
+  failure.livelock = true;
+  failure.steps = std::move(lasso.stem);
+  failure.cycle = std::move(lasso.cycle);
+  return failure;
+}
+
+/// A run that never gives a response that a kLeads requirement asks for: it ends, or all threads
+/// run for ever.
+std::optional<Failure> WayUnanswered(const Problem& problem, const StateGraph& graph,
+                                     const std::atomic<bool>* hurried) {
+  std::optional<Failure> found;
+  ForEachFlagged(problem, Scope::kLeads, [&](int requirement, uint32_t flag) {
+    if (found) return;
+    const StateGraph owing = OweResponses(graph, flag, flag << 1, hurried);
+    if (owing.size() == 0) return;
+    found = WayTo(owing, kBad, 0, hurried);
+    if (!found && graph.complete) {
+      Lasso lasso = FindFairCycle(owing, hurried, kOwing);
+      if (lasso.found) found = FailureOf(std::move(lasso));
     }
-    flag <<= 1;
-  }
-  return std::nullopt;
+    if (found) found->fault = {Fault::Kind::kRequirement, requirement, 0};
+  });
+  return found;
 }
 
 /// Executes a graph's steps statement by statement.
@@ -248,19 +290,22 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
       return bad;
     }
   }
-  if (auto without = in_statements(WayWithout(problem, graph, hurried))) return without;
-  if (Lasso lasso = graph.complete ? FindFairCycle(graph, hurried) : Lasso{}; lasso.found) {
-    Failure failure;
-    failure.livelock = true;
-    failure.steps = std::move(lasso.stem);
-    failure.cycle = std::move(lasso.cycle);
-    Model model = problem.model;
+  const auto counted = [&](Failure failure) {
     if (search.merged) {
       Unmerge(problem, &failure);
     } else {
+      Model model = problem.model;
       failure.preemptions = CountPreemptions(&model, failure.steps);
     }
     return failure;
+  };
+  if (auto without = in_statements(WayWithout(problem, graph, hurried))) return without;
+  if (auto unanswered = WayUnanswered(problem, graph, hurried)) {
+    return unanswered->livelock ? counted(*std::move(unanswered))
+                                : in_statements(std::move(unanswered));
+  }
+  if (Lasso lasso = graph.complete ? FindFairCycle(graph, hurried) : Lasso{}; lasso.found) {
+    return counted(FailureOf(std::move(lasso)));
   }
   if (search.races.empty()) return std::nullopt;
   auto racing = in_statements(WayTo(graph, kRacing, 0, hurried));

@@ -5,6 +5,7 @@ namespace {
 
 /// In keys: greater than all cell numbers of a model.
 constexpr uint32_t kPlaceOfReached = 0xfffffff8;
+constexpr uint32_t kPlaceOfOwed = 0xfffffff9;
 constexpr uint32_t kPlaceOfRaces = 0xfffffffa;
 
 }  // namespace
@@ -23,14 +24,23 @@ ProgramWalk::Mark ProgramWalk::Judge(const Mark& before, const Race& race) const
     mark.fault.race = race;
   }
   uint32_t bit = 1;
+  uint32_t leads_bit = 1;
   for (size_t i = 0; i < problem_.requirements.size(); ++i) {
     const BoundRequirement& requirement = problem_.requirements[i];
-    if (requirement.scope != Scope::kEventually) continue;
-    if (requirement.property.Holds(model_)) mark.reached |= bit;
-    if (!mark.fault && ended() && (mark.reached & bit) == 0) {
+    bool met = true;
+    if (requirement.scope == Scope::kEventually) {
+      if (requirement.property.Holds(model_)) mark.reached |= bit;
+      met = (mark.reached & bit) != 0;
+      bit <<= 1;
+    } else if (requirement.scope == Scope::kLeads) {
+      if (requirement.property.Holds(model_)) mark.owed |= leads_bit;
+      if (requirement.then->Holds(model_)) mark.owed &= ~leads_bit;
+      met = (mark.owed & leads_bit) == 0;
+      leads_bit <<= 1;
+    }
+    if (!met && !mark.fault && ended()) {
       mark.fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
     }
-    bit <<= 1;
   }
   return mark;
 }
@@ -58,6 +68,9 @@ void ProgramWalk::Restart() {
 StateKey ProgramWalk::Key() const {
   StateKey key = model_.key();
   AddToKey(kPlaceOfReached, static_cast<int64_t>(marks_.back().reached), &key);
+  if (const uint32_t owed = marks_.back().owed; owed != 0) {
+    AddToKey(kPlaceOfOwed, static_cast<int64_t>(owed), &key);
+  }
   if (!detectors_.empty()) {
     const StateKey races = detectors_.back().Key();
     AddToKey(kPlaceOfRaces, static_cast<int64_t>(races.low), &key);

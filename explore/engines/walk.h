@@ -2,8 +2,8 @@
 // for samplers, the search by preemptions and shrinking.
 //
 // A walk remembers its path, so that it also finds faults that are not visible in a single state: a
-// race, or a run that ended without a state in which an `eventually` requirement held. Not
-// thread-safe. Tested by tests/explore/walk_test.cc.
+// race, a run that ended without a state in which an `eventually` requirement held, or one that
+// still owed the right side of a response. Not thread-safe. Tested by tests/explore/walk_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +53,7 @@ class ProgramWalk {
   struct Mark {
     Fault fault;
     uint32_t reached = 0;  ///< bit n: the n-th kEventually has held
+    uint32_t owed = 0;     ///< bit n: the right side of the n-th kLeads must still come
   };
 
   /// Updates the data of the path with the current state.

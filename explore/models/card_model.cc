@@ -85,6 +85,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   if (!started.ok()) return started.error();
   // A run of a failing schedule traces them.
   runtime::TraceQuantities(scenario, controller, &errors);
+  runtime::CheckTimes(requirements, scenario, controller.machine().image()->object, &errors);
   model.KeepThreads(BoundThreads(controller.machine()));
   model.bounds_ = runtime::RunBounds::Of(scenario, model.controller_->clock());
   if (model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
@@ -115,6 +116,8 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   } else {
     model.bounds_.limit = end + model.controller_->clock().CyclesIn(scenario.limit_ms * 1000);
   }
+  runtime::CheckTimes(requirements, true, model.controller_->clock().UsOf(model.bounds_.last()),
+                      &errors);
   model.BindRequirements(requirements, &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   model.Save(&model.initial_);
@@ -160,9 +163,16 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
   for (size_t i = 0; i < requirements.size(); ++i) {
     const Scope scope = requirements[i].scope;
     has_invariants_ = has_invariants_ || scope != Scope::kFinal;
-    const bool of_every_state = scope == Scope::kAlways || scope == Scope::kNever;
-    watches_card_ = watches_card_ || (of_every_state && NamesCard(conditions[i].condition));
-    requirements_.push_back({requirements[i], std::move(conditions[i].condition)});
+    auto& [condition, then] = conditions[i];
+    const bool of_every_state = scope != Scope::kFinal && scope != Scope::kEventually;
+    const bool names_card = NamesCard(condition) || (then && NamesCard(*then));
+    watches_card_ = watches_card_ || (of_every_state && names_card);
+    BoundRequirement& bound =
+        requirements_.emplace_back(BoundRequirement{requirements[i], std::move(condition)});
+    if (!then) continue;
+    bound.then = std::move(then);
+    bound.response = initial_.owed.size();
+    initial_.owed.emplace_back();
   }
   BindGuards();
 }
@@ -208,6 +218,16 @@ std::vector<Requirement> CardModel::Requirements() const {
 
 // --- What must hold ------------------------------------------------------------------------------
 
+const runtime::Owed& CardModel::OwedTo(const State& state, int requirement) const {
+  return state.owed[requirements_[static_cast<size_t>(requirement)].response];
+}
+
+void CardModel::ObserveResponse(const BoundRequirement& bound, runtime::Owed* owed) const {
+  const int64_t now_ns = controller_->clock().NsOf(controller_->cycle());
+  owed->Observe(bound.requirement, Holds(bound), bound.then->Holds(*controller_), now_ns,
+                controller_->machine().state().executed);
+}
+
 bool CardModel::Holds(const BoundRequirement& bound) const {
   bound.judged = true;
   bound.mattered = bound.mattered || (bound.matters && bound.matters->Holds(*controller_));
@@ -222,6 +242,8 @@ void CardModel::JudgeEnd(State* state) const {
     if (bound.requirement.scope == Scope::kEventually) {
       holds = (state->reached & bit) != 0;
       bit <<= 1;
+    } else if (bound.requirement.scope == Scope::kLeads) {
+      holds = !state->owed[bound.response].pending;
     } else if (bound.requirement.scope == Scope::kFinal && bound.cycle < 0) {
       holds = Holds(bound);
     }
@@ -234,6 +256,12 @@ void CardModel::JudgeState(State* state) const {
   for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
     const BoundRequirement& bound = requirements_[i];
     if (bound.requirement.scope == Scope::kFinal) continue;
+    if (bound.then) {
+      runtime::Owed& owed = state->owed[bound.response];
+      ObserveResponse(bound, &owed);
+      if (owed.late) state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+      continue;
+    }
     const bool holds = Holds(bound);
     if (bound.requirement.scope == Scope::kEventually) {
       if (holds) state->reached |= bit;
@@ -273,6 +301,7 @@ CardModel::State CardModel::Begin() {
   Load(initial_);
   held_ = nullptr;
   State state;
+  state.owed = initial_.owed;
   if (has_invariants_) JudgeState(&state);
   Settle(&state);
   return state;
@@ -290,6 +319,7 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   state.left = from.left;
   state.served = from.served;
   state.reached = from.reached;
+  state.owed = from.owed;
   Execute(&state, thread);
   Save(&state);
   return state;
@@ -504,6 +534,11 @@ StateKey CardModel::KeyOf(const State& state) const {
   words_.insert(words_.end(), {static_cast<int64_t>(state.body->hash), state.left,
                                static_cast<int64_t>(state.served), state.ended, state.reached,
                                static_cast<int64_t>(state.fault.kind)});
+  // The clock is a part of the body, so an instant says how much time is left.
+  for (size_t i = 0; i < state.owed.size(); ++i) {
+    if (!state.owed[i].pending) continue;
+    words_.insert(words_.end(), {static_cast<int64_t>(i), state.owed[i].due_ns});
+  }
   return KeyOfWords(words_);
 }
 

@@ -26,6 +26,7 @@
 #include "explore/models/state_key.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_course.h"
 #include "runtime/scenario/run/vacuity.h"
 #include "runtime/sim/controller.h"
@@ -51,7 +52,8 @@ class CardModel {
     bool finished = false;  ///< the run ended because no thread runs any more
     uint32_t choices = 0;   ///< bit n: thread n of the model may execute the next statement
     uint32_t reached = 0;   ///< bit n: the n-th kEventually has held before
-    Fault fault;            ///< the fault of the state, or of a cycle that led to it
+    std::vector<runtime::Owed> owed;  ///< to each response, in the order of the requirements
+    Fault fault;                      ///< the fault of the state, or of a cycle that led to it
   };
 
   /// The scenario's program on a card of its own, before the first statement; its expectations and
@@ -77,6 +79,11 @@ class CardModel {
   const std::shared_ptr<const vm::Image>& image() const { return image_; }
   /// What must hold: the scenario's expectations, then the requirements.
   std::vector<Requirement> Requirements() const;
+  /// What a state owes to a response, by its number among Requirements(), which the state has
+  /// violated, or owes at the end of its run.
+  const runtime::Owed& OwedTo(const State& state, int requirement) const;
+  /// The statements that had been executed before the first state.
+  int64_t executed_before() const { return initial_.executed; }
   /// True when there are none.
   bool asks_nothing() const { return requirements_.empty(); }
   /// What the recorded host does; nullptr: there is none.
@@ -132,6 +139,8 @@ class CardModel {
     Requirement requirement;
     runtime::CardCondition condition;
     int64_t cycle = -1;  ///< an expectation with an instant: at the end of this cycle
+    std::optional<runtime::CardCondition> then = {};  ///< of a response: its right side
+    size_t response = 0;                              ///< its number in State::owed
     std::optional<runtime::Guard> guard = {};
     std::optional<runtime::CardCondition> matters = {};  ///< of the guard
     mutable bool mattered = false;
@@ -146,9 +155,11 @@ class CardModel {
                         runtime::ScenarioErrors* errors);
   void BindGuards();
   bool Holds(const BoundRequirement& bound) const;
-  /// Checks the final requirements without an instant, and the kEventually requirements.
+  /// Goes on with what is owed to a response.
+  void ObserveResponse(const BoundRequirement& bound, runtime::Owed* owed) const;
+  /// Checks the final requirements without an instant, and those under kEventually and kLeads.
   void JudgeEnd(State* state) const;
-  /// Checks the requirements on every state, and records the kEventually ones.
+  /// Checks the requirements on every state, and records the kEventually ones and responses.
   void JudgeState(State* state) const;
   /// Checks the expectations whose instant is the end of this cycle.
   void JudgeInstant(State* state) const;

@@ -65,12 +65,39 @@ class CommentReader {
       if (rest != runtime::Scenario{}.races) {
         problem_.of_all_schedules.push_back({"//@ races", PlaceOfComment()});
       }
+    } else if (key.starts_with(kWithin)) {
+      ReadWithin(key, rest);
     } else if (const auto scope = runtime::ScopeNamed(key)) {
-      problem_.requirements.push_back({*scope, std::string(rest), PlaceOf(rest)});
+      problem_.requirements.push_back(scope == Scope::kLeads
+                                          ? ReadSides(*scope, rest)
+                                          : Requirement{*scope, std::string(rest), PlaceOf(rest)});
     } else {
       return false;
     }
     return true;
+  }
+
+  /// Reads `p -> q`.
+  Requirement ReadSides(Scope scope, std::string_view text) const {
+    return runtime::ReadResponse(
+        scope, text, [&](std::string_view side) { return PlaceOf(side.empty() ? text : side); });
+  }
+
+  /// Reads `within 5 ms` and `p -> q`.
+  void ReadWithin(std::string_view key, std::string_view rest) {
+    const auto us = runtime::ParseTime(Trim(key.substr(kWithin.size())));
+    if (!us) {
+      return errors_.Add(
+          PlaceOf(key), MakeMessage("'{0}' needs a time of 0 to 1e9 ms, as in '//@ within 5 ms: "
+                                    "gpi[1] == 1 -> axis1.moving == 0'",
+                                    "“{0}”应带 0 至 1e9 ms 的时间，如“//@ within 5 ms: gpi[1] == 1 "
+                                    "-> axis1.moving == 0”",
+                                    key));
+    }
+    Requirement requirement = ReadSides(Scope::kWithin, rest);
+    requirement.within_us = *us;
+    requirement.time_place = PlaceOf(key);
+    problem_.requirements.push_back(std::move(requirement));
   }
 
   /// Reads `g=1`.
@@ -89,12 +116,14 @@ class CommentReader {
   void Refuse(std::string_view comment) {
     errors_.Add(
         PlaceOfComment(),
-        MakeMessage("'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, "
-                    "//@ always:, //@ never: or //@ eventually: with an expression, //@ sync: v, "
-                    "or //@ races: none or benign",
-                    "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
-                    "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
-                    comment));
+        MakeMessage(
+            "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, "
+            "//@ always:, //@ never: or //@ eventually: with an expression, //@ leads: or "
+            "//@ within 5 ms: with 'p -> q', //@ sync: v, or //@ races: none or benign",
+            "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
+            "//@ eventually: 加表达式，//@ leads: 或 //@ within 5 ms: 加“p -> q”，//@ sync: "
+            "v，或 //@ races: none 或 benign",
+            comment));
   }
 
   /// The place of a part of the line.
@@ -103,6 +132,8 @@ class CommentReader {
     return {file_, number_, static_cast<int>(begin) + 1, begin, begin + part.size()};
   }
   runtime::TextPlace PlaceOfComment() const { return PlaceOf(Trim(line_)); }
+
+  static constexpr std::string_view kWithin = "within";
 
   std::shared_ptr<const runtime::TextFile> file_;
   int number_ = 0;
@@ -175,6 +206,12 @@ int FirstCommentLine(std::string_view source) {
   return first;
 }
 
+Requirement BoundRequirement::AsRequirement() const {
+  Requirement requirement = {scope, property.text()};
+  if (then) requirement.then = then->text();
+  return requirement;
+}
+
 bool Problem::HasInvariants() const {
   for (const BoundRequirement& requirement : requirements) {
     if (requirement.scope != Scope::kFinal) return true;
@@ -189,12 +226,22 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
   if (properties.size() < requirements.size()) return problem;
   int eventually = 0;
   for (size_t i = 0; i < requirements.size(); ++i) {
-    if (requirements[i].scope == Scope::kEventually && ++eventually == kEventuallyMax + 1) {
+    const int before = eventually;
+    if (requirements[i].scope == Scope::kEventually) eventually += 1;
+    if (requirements[i].scope == Scope::kLeads) eventually += 2;
+    if (before <= kEventuallyMax && eventually > kEventuallyMax) {
       errors->Add(requirements[i].place,
-                  MakeMessage("there are more than {0} 'eventually' expressions",
-                              "“eventually”表达式超过 {0} 个", kEventuallyMax));
+                  requirements[i].scope == Scope::kEventually
+                      ? MakeMessage("there are more than {0} 'eventually' expressions",
+                                    "“eventually”表达式超过 {0} 个", kEventuallyMax)
+                      : MakeMessage("there are too many 'eventually' and 'leads' expressions: at "
+                                    "most {0}, where each 'leads' counts as two",
+                                    "“eventually”与“leads”表达式过多：最多 {0} 个，其中每个“leads”"
+                                    "计为两个",
+                                    kEventuallyMax));
     }
-    problem.requirements.push_back({requirements[i].scope, std::move(properties[i].condition)});
+    problem.requirements.push_back(
+        {requirements[i].scope, std::move(properties[i].condition), std::move(properties[i].then)});
     BindGuard(requirements[i], problem.model, &problem.requirements.back());
   }
   return problem;
@@ -204,8 +251,7 @@ std::vector<Message> UntestedOf(const Problem& problem) {
   std::vector<Message> texts;
   for (const BoundRequirement& bound : problem.requirements) {
     if (!bound.matters || bound.mattered->load()) continue;
-    const Requirement requirement = {bound.scope, bound.property.text()};
-    texts.push_back(runtime::DescribeVacuous(requirement, *bound.guard));
+    texts.push_back(runtime::DescribeVacuous(bound.AsRequirement(), *bound.guard));
   }
   return texts;
 }
@@ -226,6 +272,7 @@ Fault FindFault(const Problem& problem, const Model& state) {
     if (requirement.scope == Scope::kEventually) continue;
     if (requirement.scope == Scope::kFinal && state.runnable() != 0) continue;
     LookForGuard(requirement, state);
+    if (requirement.then) continue;
     if (requirement.property.Holds(state) == (requirement.scope == Scope::kNever)) {
       return {Fault::Kind::kRequirement, static_cast<int>(i), 0};
     }

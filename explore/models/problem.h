@@ -8,6 +8,8 @@
 //   //@ always: EXPRESSION     must hold in every state
 //   //@ never: EXPRESSION      must hold in no state
 //   //@ eventually: EXPRESSION every run must have a state in which it holds
+//   //@ leads: A -> B          each state with A must be followed by this or a later one with B
+//   //@ within 5 ms: A -> B    the same, and in time
 //   //@ races: none            no data race is allowed; benign: those that change no final value
 //   //@ sync: f, g             variables that order what threads do, and do not race themselves
 //
@@ -64,15 +66,19 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
 
 struct BoundRequirement {
   Scope scope = Scope::kFinal;
-  Property property;
+  Property property;                  ///< of a response, its left side
+  std::optional<Property> then = {};  ///< of a response, its right side
   std::optional<runtime::Guard> guard = {};
   std::optional<Property> matters = {};  ///< of the guard
   /// Whether the guard has held in a state that was checked by any search of the problem, in any
   /// thread of the computer; only if there is a guard.
   std::shared_ptr<std::atomic<bool>> mattered = {};
+
+  /// As written.
+  Requirement AsRequirement() const;
 };
 
-/// Maximum number of `eventually` requirements of a problem.
+/// Maximum number of `eventually` requirements of a problem; one under `leads` counts as two.
 inline constexpr int kEventuallyMax = 24;
 
 struct Problem {

@@ -66,8 +66,8 @@ ClaimEntry Asked(const Findings& findings) {
   const Subject& subject = findings.subject;
   ClaimEntry entry = {{"asked", "要求"}, {}};
   for (const Requirement& requirement : subject.requirements) {
-    const std::string text = fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
-    entry.lines.push_back({text, text});
+    const std::string title = requirement.Title();
+    entry.lines.push_back({title, title});
   }
   Message built_in = {"no thread fault, no deadlock", "无线程故障，无死锁"};
   const BuiltIn looked_for = BuiltInOf(findings);
@@ -143,11 +143,24 @@ uint64_t HashOfWorld(const CardConditions& card) {
   return XXH64(text.data(), text.size(), 0);
 }
 
-ClaimEntry Assumptions(const Subject& subject) {
+/// True if `leads` is asked of a program that can run for ever.
+bool AsksForResponses(const Subject& subject) {
+  return !subject.card &&
+         std::ranges::any_of(subject.requirements, [](const Requirement& requirement) {
+           return requirement.scope == Scope::kLeads;
+         });
+}
+
+ClaimEntry Assumptions(const Findings& findings) {
+  const Subject& subject = findings.subject;
   ClaimEntry entry = {{"assumes", "前提"}, {}};
   if (!subject.card) {
     entry.lines.push_back({"any thread may execute the next statement; no time passes",
                            "任一线程都可能执行下一条语句；不计时间"});
+    if (AsksForResponses(subject) && BuiltInOf(findings).livelock) {
+      entry.lines.push_back({"leads: no thread that can run waits for ever for its next statement",
+                             "leads：任一可运行的线程都不会永远得不到执行"});
+    }
     return entry;
   }
   const CardConditions& card = *subject.card;
@@ -190,6 +203,9 @@ ClaimEntry Bounds(const Findings& findings) {
                     EngineName(exploration.engine), samples->seed));
   }
   if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
+  if (AsksForResponses(findings.subject) && !BuiltInOf(findings).livelock) {
+    add({"leads: only runs that end", "leads：仅限会结束的运行"});
+  }
   if (exploration.merged) {
     add({"statements that access no global are combined with the one before them",
          "不涉及全局变量的语句并入前一条语句"});
@@ -202,7 +218,7 @@ ClaimEntry Bounds(const Findings& findings) {
 
 std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
   std::vector<ClaimEntry> entries = {Asked(findings), NotAsked(findings), Program(findings.subject),
-                                     Assumptions(findings.subject), Bounds(findings)};
+                                     Assumptions(findings), Bounds(findings)};
   const Exploration& exploration = findings.exploration;
   const EngineKind engine = exploration.paired ? EngineKind::kAuto : exploration.engine;
   entries.push_back({{"by", "工具"},
@@ -375,8 +391,9 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
   auto& asked = (*json)["asked"];
   asked["requirements"] = nlohmann::ordered_json::array();
   for (const Requirement& requirement : subject.requirements) {
-    asked["requirements"].push_back(
-        {{"scope", ScopeName(requirement.scope)}, {"expression", requirement.text}});
+    auto& each = asked["requirements"].emplace_back();
+    each = {{"scope", ScopeName(requirement.scope)}, {"expression", requirement.Expression()}};
+    if (requirement.scope == Scope::kWithin) each["ms"] = ToMs(requirement.within_us);
   }
   asked["faults"] = true;
   asked["deadlock"] = true;

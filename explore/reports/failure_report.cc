@@ -28,7 +28,7 @@ runtime::PlacedAccess PartyOf(const Findings& findings, const RacingPair::Statem
 }
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
-  if (failure.livelock) {
+  if (failure.livelock && !failure.fault) {
     return {"livelock: the threads can run for ever without any of them ending",
             "活锁：各线程可以一直运行而都不结束"};
   }
@@ -60,9 +60,8 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
   const Requirement& violated =
       subject.requirements[static_cast<size_t>(failure.fault.requirement)];
   const bool never = violated.scope == Scope::kNever;
-  return MakeMessage(never ? "{0}: {1} holds" : "{0}: {1} does not hold",
-                     never ? "{0}: {1} 成立" : "{0}: {1} 不成立", ScopeName(violated.scope),
-                     violated.text);
+  return MakeMessage(never ? "{0} holds" : "{0} does not hold", never ? "{0} 成立" : "{0} 不成立",
+                     violated.Title());
 }
 
 /// Adds a line to a text that may still be empty.
@@ -154,6 +153,7 @@ StepView ViewOf(const Findings& findings, const Failure& failure,
     view.named.push_back(trail.pair->first.step);
     view.named.push_back(trail.pair->second.step);
   }
+  if (trail.unanswered) view.named.push_back(*trail.unanswered);
   if (failure.fault.kind == Fault::Kind::kThread && !trail.steps.empty()) {
     view.named.push_back(trail.steps.size() - 1);
   }

@@ -26,7 +26,7 @@ class BackwardSlice {
   std::vector<bool> Of(const Failure& failure) {
     switch (failure.fault.kind) {
       case Fault::Kind::kRequirement:
-        BeginWith(subject_.requirements[static_cast<size_t>(failure.fault.requirement)].text);
+        BeginWith(subject_.requirements[static_cast<size_t>(failure.fault.requirement)]);
         break;
       case Fault::Kind::kThread:
         BeginWithLastStepOf(failure.fault.thread);
@@ -41,6 +41,11 @@ class BackwardSlice {
  private:
   static int KeyOf(const vm::SlotAddress& slot) {
     return (slot.global ? 0 : (slot.page + 1) * vm::kSlotCount) + slot.id;
+  }
+
+  void BeginWith(const Requirement& requirement) {
+    BeginWith(requirement.text);
+    if (requirement.IsResponse()) BeginWith(requirement.then);
   }
 
   void BeginWith(const std::string& text) {

@@ -7,12 +7,15 @@
 #include <set>
 #include <utility>
 
+#include "base/milliseconds.h"
 #include "explore/reports/race_orders.h"
 #include "explore/reports/relevance.h"
 #include "runtime/conditions/card_condition.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/file/expectation.h"
+#include "runtime/scenario/run/response.h"
+#include "runtime/sim/card_clock.h"
 
 namespace oncard::explore {
 namespace {
@@ -145,6 +148,62 @@ Message DescribeValues(const Requirement& requirement, const runtime::Controller
                      *number, tolerance);
 }
 
+/// The present values of the right side of a response.
+Message DescribeRightSide(const Requirement& response, const runtime::Controller& controller) {
+  auto condition = runtime::ParseCondition(response.then);
+  if (!condition.ok()) return {};
+  const auto bound = runtime::CardCondition::Bind(std::move(condition).value(), controller);
+  return bound.ok() ? bound.value().DescribeValues(controller) : Message();
+}
+
+/// The response that the failure violates; nullptr: none.
+const Requirement* UnansweredBy(const Subject& subject, const Failure& failure) {
+  if (failure.fault.kind != Fault::Kind::kRequirement) return nullptr;
+  const auto number = static_cast<size_t>(failure.fault.requirement);
+  const Requirement& requirement = subject.requirements[number];
+  return requirement.IsResponse() ? &requirement : nullptr;
+}
+
+Message AfterStep(int64_t step) {
+  return step == 0 ? Message{"at the start", "在开始时"}
+                   : MakeMessage("after step {0}", "在第 {0} 步之后", step);
+}
+
+/// Adds why a response is not given, whose left side held after so many steps of the run.
+void AddUnanswered(const Requirement& response, int64_t since, const Message& since_text,
+                   const Message& late, const runtime::Controller& controller, Trail* trail) {
+  trail->actual = runtime::DescribeUnanswered(response, since_text, late,
+                                              DescribeRightSide(response, controller));
+  if (since > trail->skipped) trail->unanswered = static_cast<size_t>(since - trail->skipped - 1);
+}
+
+/// Follows what a run of a program without its card owes to a response.
+class ResponseFollower {
+ public:
+  ResponseFollower(const Requirement* response, const runtime::Controller& controller)
+      : response_(response), controller_(controller) {
+    if (response == nullptr) return;
+    runtime::ScenarioErrors errors;
+    sides_ = runtime::ReadRequirements<runtime::CardCondition>({*response}, controller, &errors);
+    Observe();
+  }
+
+  /// To be called in the first state, and after each statement.
+  void Observe() {
+    for (const auto& [condition, then] : sides_) {
+      owed_.Observe(*response_, condition.Holds(controller_), then->Holds(controller_), 0,
+                    controller_.machine().state().executed);
+    }
+  }
+  int64_t since() const { return owed_.since_count; }
+
+ private:
+  const Requirement* response_;
+  const runtime::Controller& controller_;
+  std::vector<runtime::BoundSides<runtime::CardCondition>> sides_;
+  runtime::Owed owed_;
+};
+
 /// The thread's fault and its cause.
 Message DescribeFault(const vm::ThreadState& thread, int line) {
   switch (static_cast<vm::Fault>(thread.error)) {
@@ -250,7 +309,7 @@ Subject SubjectOf(const Problem& problem) {
   }
   subject.image = problem.model.shared_image();
   for (const BoundRequirement& bound : problem.requirements) {
-    subject.requirements.push_back({bound.scope, bound.property.text()});
+    subject.requirements.push_back(bound.AsRequirement());
   }
   subject.races = problem.races;
   return subject;
@@ -272,6 +331,8 @@ Trail Follow(const Problem& problem, const Failure& failure) {
   vm::Machine& machine = controller->machine();
   runtime::StepWatch watch(*controller);
   std::vector<Touch> touches;
+  const Requirement* response = UnansweredBy(subject, failure);
+  ResponseFollower follower(response, *controller);
   const auto follow = [&](const std::vector<uint8_t>& threads, std::vector<TrailStep>* steps) {
     for (const uint8_t thread : threads) {
       const int number = subject.threads[thread].thread;
@@ -280,13 +341,19 @@ Trail Follow(const Problem& problem, const Failure& failure) {
       machine.ExecuteOne(number);
       machine.Execute(0);
       steps->push_back({thread, watch.After(number)});
+      follower.Observe();
     }
   };
   follow(failure.steps, &trail.steps);
   trail.matters = StepsThatMatter(subject, failure, *controller, trail.steps);
   trail.pair =
       PairOf(touches, trail.matters, failure.last_escape, problem.sync, subject.image->object);
-  if (!failure.livelock) trail.actual = DescribeActual(subject, failure, *controller);
+  if (response != nullptr) {
+    AddUnanswered(*response, follower.since(), AfterStep(follower.since()), {}, *controller,
+                  &trail);
+  } else if (!failure.livelock) {
+    trail.actual = DescribeActual(subject, failure, *controller);
+  }
   follow(failure.cycle, &trail.cycle);
   trail.orders = BothOrders(problem, failure);
   return trail;
@@ -326,7 +393,20 @@ Trail Follow(CardModel* model, const Failure& failure) {
   trail.matters = StepsThatMatter(subject, failure, model->controller(), trail.steps);
   trail.pair = PairOf(touches, trail.matters, failure.last_escape - trail.skipped, {},
                       subject.image->object);
-  trail.actual = DescribeActual(subject, failure, model->controller());
+  if (const Requirement* response = UnansweredBy(subject, failure)) {
+    const runtime::Owed& owed = model->OwedTo(state, failure.fault.requirement);
+    const int64_t since = owed.since_count - model->executed_before();
+    const auto in_time = [](const Message& step, int64_t ns) {
+      const double ms = ToMs(ns / runtime::CardClock::kNsPerUs);
+      return MakeMessage("{0}, at {2} ms", "{1}（{2} ms）", step.en, step.zh, ms);
+    };
+    const runtime::Controller& card = model->controller();
+    const auto steps = static_cast<int64_t>(failure.steps.size());
+    AddUnanswered(*response, since, in_time(AfterStep(since), owed.since_ns),
+                  in_time(AfterStep(steps), card.clock().NsOf(card.cycle())), card, &trail);
+  } else {
+    trail.actual = DescribeActual(subject, failure, model->controller());
+  }
   return trail;
 }
 

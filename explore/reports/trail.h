@@ -90,7 +90,9 @@ struct Trail {
   std::vector<HostStep> host;      ///< what the host does between these steps
   std::optional<RacingPair> pair;  ///< only if the states are known
   Message actual;                  ///< `sum is 3, expected 10`; empty if there are no values
-  std::vector<RaceOrder> orders;   ///< of a data race: both, or none
+  /// Of a response that is not given: the step after which its left side held.
+  std::optional<size_t> unanswered;
+  std::vector<RaceOrder> orders;  ///< of a data race: both, or none
   /// With a card: the trace of the failing run.
   std::optional<runtime::Trace> trace;
 };

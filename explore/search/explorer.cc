@@ -235,6 +235,20 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
         1, "only the graph of all states shows whether a race is benign: use the engine stateful",
         "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
   }
+  for (const BoundRequirement& requirement : problem.requirements) {
+    if (requirement.scope != Scope::kLeads) continue;
+    if (options.engine == EngineKind::kDpor) {
+      return MakeError(1,
+                       "'leads' concerns intermediate states, which the engine dpor skips: use the "
+                       "engine stateful",
+                       "“leads”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful 引擎");
+    }
+    const bool sees_locals = requirement.property.SeesLocals() || requirement.then->SeesLocals();
+    if (!options.merge_private || !sees_locals) continue;
+    return MakeError(1,
+                     "'leads' cannot name locals when statements that touch only locals are merged",
+                     "合并只涉及局部变量的语句时，“leads”不能引用局部变量");
+  }
   const auto sees_locals = [](const BoundRequirement& requirement) {
     return requirement.scope != Scope::kFinal && requirement.property.SeesLocals();
   };

@@ -65,8 +65,8 @@ uint64_t HashOf(const Problem& problem) {
   }
   for (const bool cell : problem.sync) text += cell ? 's' : '-';
   for (const BoundRequirement& requirement : problem.requirements) {
-    text +=
-        fmt::format("\n{} {}", static_cast<int>(requirement.scope), requirement.property.text());
+    text += fmt::format("\n{} {}", static_cast<int>(requirement.scope),
+                        requirement.AsRequirement().Expression());
   }
   return XXH64(text.data(), text.size(), 0);
 }

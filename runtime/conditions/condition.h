@@ -1,5 +1,5 @@
-// The language of all conditions on a program and its card: `expect`, `always`, `never`, `final`
-// and `eventually`.
+// The language of all conditions on a program and its card: `expect`, `always`, `never`, `final`,
+// `eventually`, and both sides of `leads` and `within`.
 //
 //   x == 6 && ret0 + ret1 >= 1
 //   axis1.prfPos == 50000 +- 0.01
@@ -116,6 +116,9 @@ struct TimedCondition {
 
 /// Reads a condition with or without an instant: `@` and a time in ms or s, of at most 1e9 ms.
 Result<TimedCondition> ParseTimedCondition(std::string_view text);
+
+/// A time from 0 to 1e9 ms, as in `10ms`, `12.5 ms`, `1s`, in microseconds; empty for another text.
+std::optional<int64_t> ParseTime(std::string_view text);
 
 template <typename Value>
 bool Condition::Holds(Value value) const {

@@ -24,8 +24,9 @@ std::string Shortened(std::string_view text) {
 /// Eleven days of virtual time; in a double the microseconds remain exact.
 constexpr double kInstantMaxMs = 1e9;
 
-/// `10ms`, `12.5 ms`, `1s` as microseconds.
-std::optional<int64_t> MicrosecondsOf(std::string_view text) {
+}  // namespace
+
+std::optional<int64_t> ParseTime(std::string_view text) {
   double scale = 1;
   if (text.ends_with("ms")) {
     text.remove_suffix(2);
@@ -39,8 +40,6 @@ std::optional<int64_t> MicrosecondsOf(std::string_view text) {
   if (!value || *value < 0 || *value * scale > kInstantMaxMs) return std::nullopt;
   return FromMs(*value * scale);
 }
-
-}  // namespace
 
 Result<TimedCondition> ConditionReader::Read() {
   cursor_ = condition_.text_.c_str();
@@ -120,7 +119,7 @@ bool ConditionReader::FailAtIndex() {
 }
 
 bool ConditionReader::ReadInstant(std::string_view time) {
-  at_us_ = MicrosecondsOf(Trim(time.substr(1)));
+  at_us_ = ParseTime(Trim(time.substr(1)));
   if (at_us_) return true;
   return Fail(MakeMessage("in '{0}' a time in ms or s is missing after '@', as in '@ 12.5ms'",
                           "“{0}”中“@”后应为以 ms 或 s 计的时间，如“@ 12.5ms”", Quoted()));
