@@ -54,6 +54,7 @@ std::vector<Walked> Programs() {
 }
 
 constexpr const char* kAwaited = "statements == 61 && clock < 30";
+constexpr const char* kAsked = "statements == 40 -> statements == 61 && clock < 30";
 
 /// What the supervisor warns of up to the present, with what only the end shows or without.
 std::vector<std::string> WarningTexts(const RewindableRun& run, bool with_end) {
@@ -81,8 +82,9 @@ class RandomWalk {
  public:
   RandomWalk(const Walked& walked, uint64_t seed)
       : walked_(walked),
-        session_(SessionOf(walked.program,
-                           "eventually = [\"" + std::string(kAwaited) + "\"]\n" + walked.scenario)),
+        session_(SessionOf(walked.program, "eventually = [\"" + std::string(kAwaited) +
+                                               "\"]\nleads = [\"" + kAsked + "\"]\n" +
+                                               walked.scenario)),
         random_(seed) {}
 
   /// Takes random steps in both directions, with choices and changes.
@@ -111,10 +113,13 @@ class RandomWalk {
     if (IsJudged(scenario.value())) {
       EXPECT_EQ(WarningTexts(run(), true), WarningTexts(result.value()));
       const auto& failures = result.value().failures;
-      const bool held = std::ranges::none_of(failures, [](const runtime::ScenarioFailure& failure) {
-        return failure.message.en.find("held in no state") != std::string::npos;
-      });
-      EXPECT_EQ(run().HasHeld(0), held);
+      const auto fails = [&failures](const char* how) {
+        return std::ranges::any_of(failures, [how](const runtime::ScenarioFailure& failure) {
+          return failure.message.en.find(how) != std::string::npos;
+        });
+      };
+      EXPECT_EQ(run().HasHeld(0), !fails("held in no state"));
+      EXPECT_EQ(run().OwedTo(0).pending, fails("neither then nor later"));
     }
     return result.value().hash;
   }

@@ -327,6 +327,39 @@ TEST(Stops, StopWhereRequirementsStopHolding) {
   EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
 }
 
+// x is 1 from 0.25 ms on, y from 2.25 ms on: a delay of 2 ms later.
+constexpr const char* kAnswer =
+    "int x, y;\nint f()\n{\n  x = 1;\n  GT_Delay(2);\n  y = 1;\n  x = 0;\n  return 0;\n}\n";
+
+TEST(Stops, StopAtTheFirstStateThatIsTooLate) {
+  Session session = SessionOf(kAnswer,
+                              "within = [{ after = \"x == 1\", then = \"y == 1\", ms = 2 },\n"
+                              "  { after = \"x == 1\", then = \"y == 1\", ms = 1.5 }]\n");
+  const Stop late = Next(&session);
+  EXPECT_EQ(late.reason, StopReason::kRequirement);
+  EXPECT_EQ(late.text.en,
+            "within 1.5 ms: x == 1 -> y == 1 does not hold: 'x == 1' held at 0.25 ms, and 'y == 1' "
+            "did not within 1.5 ms; too late at 2 ms: y is 0");
+  const int64_t moment = session.run().moment();
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+  // The same on the way back, and once more forward.
+  EXPECT_EQ(session.Back({}).value().reason, StopReason::kRequirement);
+  EXPECT_EQ(session.run().moment(), moment);
+  EXPECT_EQ(session.Back({}).value().reason, StopReason::kStart);
+  EXPECT_EQ(Next(&session).text.en, late.text.en);
+  EXPECT_EQ(session.run().moment(), moment);
+}
+
+TEST(Stops, TellAtTheEndWhatIsStillOwed) {
+  Session session = SessionOf(kAnswer, "leads = [\"x == 1 -> y == 1\", \"y == 1 -> x == 1\"]\n");
+  const Stop end = Next(&session);
+  EXPECT_EQ(end.reason, StopReason::kEnd);
+  ASSERT_EQ(end.failed.size(), 1u);
+  EXPECT_EQ(end.failed[0].en,
+            "leads: y == 1 -> x == 1 does not hold: 'y == 1' held at 2.25 ms, and 'x == 1' neither "
+            "then nor later: x is 0");
+}
+
 TEST(Stops, StopAtAnExpectationThatDoesNotHoldAtItsInstant) {
   Session session = SessionOf(kLoop, "expect = [\"n == 4 @ 1ms\"]\n");
   const Stop stop = Next(&session);

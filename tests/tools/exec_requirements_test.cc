@@ -62,6 +62,27 @@ TEST(ExecRequirements, ReportsWhatDoesNotHoldAsARunDoes) {
                              "is 5050\n")));
 }
 
+TEST(ExecRequirements, FollowResponses) {
+  const std::string good = "leads = [\"sum == 1 -> sum == 5050\"]\n";
+  const ProcessResult held =
+      ExecSum(good + "within = [{ after = \"sum == 1\", then = \"sum == 5050\", ms = 1000 }]\n");
+  EXPECT_EQ(held.exit_code, 0) << held.err;
+  EXPECT_THAT(held.err,
+              AllOf(ContainsRegex("'leads: sum == 1 -> sum == 5050': held in all [0-9]+ states"),
+                    ContainsRegex("'within 1000 ms: sum == 1 -> sum == 5050': held in all ")));
+  const ProcessResult failed = ExecSum(
+      "leads = [\"sum == 5050 -> sum == 1\"]\n"
+      "within = [{ after = \"sum == 1\", then = \"sum == 5050\", ms = 0 }]\n");
+  EXPECT_EQ(failed.exit_code, 120);
+  EXPECT_THAT(
+      failed.err,
+      AllOf(HasSubstr("oncard: card 0: 'leads: sum == 5050 -> sum == 1' 'sum == 5050' held"),
+            HasSubstr("and 'sum == 1' neither then nor later: sum is 5050\n"),
+            HasSubstr("and 'sum == 5050' did not within 0 ms; too late at ")));
+  const ProcessResult wrong = ExecSum("leads = [\"sum == 1\"]\n");
+  EXPECT_THAT(wrong.err, HasSubstr("s.toml:1:10: 'sum == 1' must be two conditions with '->'"));
+}
+
 TEST(ExecRequirements, AreNotMetByAHostThatOpensNoCard) {
   const ScratchFolder folder;
   const std::string host = ONCARD_BUILD_DIR "/tests/runtime/no_card_c";

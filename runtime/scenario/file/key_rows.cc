@@ -142,6 +142,13 @@ constexpr Key<Scenario> kScenarioKeys[] = {
        "每次运行中至少在一个状态成立的条件"},
       kNone},
      &Scenario::eventually},
+    {{"leads",
+      KeyType::Texts(),
+      {"responses `p -> q`: each state with `p` must be followed by this or a later one with `q`",
+       "响应 `p -> q`：每个 `p` 成立的状态之后，`q` 应在该状态或其后的某个状态成立"},
+      kNone},
+     &Scenario::leads},
+    {{"within", KeyType::Tables("within"), {"responses in time, below", "限时响应"}, kNone}},
     {{"races",
       KeyType::Choice(kRaceRuleNames),
       {"for explorations and sessions: which data races are allowed (`interleavings.md`)",
@@ -195,6 +202,24 @@ constexpr Key<Scenario> kScenarioKeys[] = {
        "一个表：`oncard test` 运行的主机程序；多个表：主机写入变量"},
       kNone,
       {kUsed, kRefused, kRefused}}},
+};
+
+constexpr Key<TimedResponse> kWithinKeys[] = {
+    {{"after", KeyType::Text(), {"a condition, `gpi[1] == 1`", "条件，如 `gpi[1] == 1`"}},
+     &TimedResponse::after,
+     true},
+    {{"then",
+      KeyType::Text(),
+      {"the condition that must hold in the same or a later state, `axis1.moving == 0`",
+       "应在该状态或其后的某个状态成立的条件，如 `axis1.moving == 0`"}},
+     &TimedResponse::then,
+     true},
+    {{"ms",
+      KeyType::Time(),
+      {"how much later its clock may be, this time included; 0: in the same cycle",
+       "该状态的时刻最多可晚多久（含此时间）；0：在同一周期内"}},
+     &TimedResponse::us,
+     true},
 };
 
 constexpr Key<ExploreWish> kWishKeys[] = {
@@ -337,6 +362,7 @@ KeySection SectionOf(std::string_view path, std::span<const Key<Structure>> rows
 }  // namespace
 
 std::span<const Key<Scenario>> ScenarioKeys() { return kScenarioKeys; }
+std::span<const Key<TimedResponse>> WithinKeys() { return kWithinKeys; }
 std::span<const Key<ExploreWish>> WishKeys() { return kWishKeys; }
 std::span<const Key<ThreadStart>> ThreadKeys() { return kThreadKeys; }
 std::span<const Key<HostProgram>> HostProgramKeys() { return kHostProgramKeys; }
@@ -346,6 +372,7 @@ std::span<const Key<KeyPress>> PressKeys() { return kPressKeys; }
 std::vector<KeySection> KeySections() {
   return {
       SectionOf("", ScenarioKeys()),
+      SectionOf("within", WithinKeys()),
       SectionOf("explore", WishKeys()),
       SectionOf("thread", ThreadKeys()),
       SectionOf("world", WorldKeys()),

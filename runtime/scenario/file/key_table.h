@@ -139,6 +139,7 @@ struct Key {
 
 /// The keys of each table, in the order of the documentation and of a file that is written.
 std::span<const Key<Scenario>> ScenarioKeys();
+std::span<const Key<TimedResponse>> WithinKeys();
 std::span<const Key<ExploreWish>> WishKeys();
 std::span<const Key<ThreadStart>> ThreadKeys();
 std::span<const Key<HostProgram>> HostProgramKeys();

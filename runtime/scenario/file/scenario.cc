@@ -26,14 +26,17 @@ std::string FormatExpectations(const std::vector<Expectation>& expectations) {
   return FormatValue(KeyType::Texts(), texts);
 }
 
-std::string FormatPresses(const std::vector<KeyPress>& keys) {
-  if (keys.empty()) return {};
-  std::vector<std::string> presses;
-  presses.reserve(keys.size());
-  for (const KeyPress& press : keys) {
-    presses.push_back(AsInlineTable(WriteKeys(press, PressKeys())));
+/// A list of inline tables; empty when there are none.
+template <typename Structure>
+std::string FormatTables(const std::vector<Structure>& structures,
+                         std::span<const Key<Structure>> rows) {
+  if (structures.empty()) return {};
+  std::vector<std::string> tables;
+  tables.reserve(structures.size());
+  for (const Structure& structure : structures) {
+    tables.push_back(AsInlineTable(WriteKeys(structure, rows)));
   }
-  return fmt::format("[{}]", fmt::join(presses, ", "));
+  return fmt::format("[{}]", fmt::join(tables, ", "));
 }
 
 std::string FormatThread(const ThreadStart& start) {
@@ -80,7 +83,8 @@ std::string FormatScenario(const Scenario& scenario) {
     if (key == "explore" && scenario.explore) {
       return AsInlineTable(WriteKeys(*scenario.explore, WishKeys()));
     }
-    if (key == "keys") return FormatPresses(scenario.keys);
+    if (key == "keys") return FormatTables(scenario.keys, PressKeys());
+    if (key == "within") return FormatTables(scenario.within, WithinKeys());
     if (key == "host" && scenario.host_program) {
       return AsInlineTable(WriteKeys(*scenario.host_program, HostProgramKeys()));
     }

@@ -99,10 +99,11 @@ class ScenarioReader : private TomlKeys {
     std::stable_sort(scenario_.host.begin(), scenario_.host.end(),
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
     ReadExpectations(table);
-    for (const char* key :
-         {"schedule", "trace", "final", "always", "never", "eventually", "races", "sync"}) {
+    for (const char* key : {"schedule", "trace", "final", "always", "never", "eventually", "leads",
+                            "races", "sync"}) {
       scenario_.text_places[key] = PlacesOfTexts(table, key);
     }
+    for (const toml::table* within : Tables(table, "within")) ReadWithin(*within);
     if (use_ == ScenarioUse::kHost) CheckRequirements();
     ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadPress(*key);
@@ -271,11 +272,37 @@ class ScenarioReader : private TomlKeys {
     scenario_.keys.push_back(std::move(press));
   }
 
+  void ReadWithin(const toml::table& table) {
+    TimedResponse within;
+    ReadKeys(table, WithinKeys(), *this, &within);
+    for (const Key<TimedResponse>& row : WithinKeys()) {
+      if (table.contains(row.about.name)) continue;
+      Fail(table.source(),
+           MakeMessage("'{0}' is missing: a response is written as in {{ after = \"gpi[1] == 1\", "
+                       "then = \"axis1.moving == 0\", ms = 5 }}",
+                       "缺少“{0}”：限时响应的写法如 {{ after = \"gpi[1] == 1\", then = "
+                       "\"axis1.moving == 0\", ms = 5 }}",
+                       row.about.name));
+    }
+    within.after_place = PlaceOfValue(table, "after");
+    within.then_place = PlaceOfValue(table, "then");
+    within.us_place = PlaceOfValue(table, "ms");
+    scenario_.within.push_back(std::move(within));
+  }
+
   /// A host may run for long before its program is there to read them for.
   void CheckRequirements() {
     for (const Requirement& requirement : RequirementsOf(scenario_)) {
-      const auto condition = ParseCondition(requirement.text);
-      if (!condition.ok()) Fail(requirement.place, condition.error().message);
+      if (const auto form = CheckForm(requirement); !form.ok()) {
+        Fail(requirement.place, form.error().message);
+        continue;
+      }
+      const auto check = [&](const std::string& text, const TextPlace& place) {
+        const auto condition = ParseCondition(text);
+        if (!condition.ok()) Fail(place, condition.error().message);
+      };
+      check(requirement.text, requirement.place);
+      if (requirement.IsResponse()) check(requirement.then, requirement.then_place);
     }
   }
 
