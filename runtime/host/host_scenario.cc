@@ -21,7 +21,9 @@
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/file/expectation.h"
+#include "runtime/scenario/run/reaction_conditions.h"
 #include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/vacuity.h"
 
 namespace oncard::runtime {
 namespace {
@@ -184,6 +186,8 @@ void CardWatch::Finish(Controller* controller) {
   const RunBounds bounds = RunBounds::Of(*scenario_, controller->clock());
   const bool in_order = !over_ || bounds.kind_of_last() == RunOver::kUntil;
   if (requirements_) FinishRequirements(*controller, in_order);
+  if (const Reactions* reactions = controller->reactions())
+    FinishReactions(*controller, *reactions);
   if (!in_order) {
     failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",
                                     "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,
@@ -214,6 +218,16 @@ void CardWatch::FinishRequirements(const Controller& controller, bool in_order) 
   for (const Message& held : requirements_->DescribeHeld()) held_.push_back(OfCard(held));
   for (const Message& vacuous : requirements_->DescribeVacuous()) {
     warnings_.push_back(OfCard(vacuous));
+  }
+}
+
+void CardWatch::FinishReactions(const Controller& controller, const Reactions& reactions) {
+  const uint64_t existed = reactions.existed();
+  CheckReactions(*scenario_, controller, existed, OfCard({"never looked at: ", "从未检查："}),
+                 &errors_);
+  for (const Message& idle :
+       DescribeIdleReactions(scenario_->world, reactions.started() | ~existed, false)) {
+    warnings_.push_back(OfCard(idle));
   }
 }
 

@@ -61,6 +61,7 @@ class CardWatch {
   void Judge(const Expectation& expectation, const Controller& controller);
   void Fail(const Expectation& expectation, const Message& why);
   void FinishRequirements(const Controller& controller, bool in_order);
+  void FinishReactions(const Controller& controller, const Reactions& reactions);
   Message OfCard(const Message& message) const { return runtime::OfCard(card_, message); }
 
   std::shared_ptr<const Scenario> scenario_;

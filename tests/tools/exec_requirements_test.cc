@@ -111,6 +111,31 @@ TEST(ExecRequirements, RefusesWhatIsNoConditionBeforeTheHostBegins) {
   EXPECT_THAT(result.err, HasSubstr("s.toml:1:10: "));
 }
 
+constexpr const char* kReactionToSum =
+    "[[world.react]]\nwhen = \"sum >= 10\"\nindex = 1\nvalue = 1\n";
+
+TEST(ExecRequirements, TheWorldReactsToTheHostsProgram) {
+  const ProcessResult result = ExecSum(
+      std::string("eventually = [\"gpi[1] == 1\"]\nnever = [\"gpi[1] == 1 && sum < 10\"]\n") +
+      kReactionToSum);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("'eventually: gpi[1] == 1': held at "),
+                                HasSubstr("'never: gpi[1] == 1 && sum < 10': held in none of ")));
+}
+
+TEST(ExecRequirements, ReportsReactionsThatNothingStarted) {
+  const ProcessResult idle = ExecSum("[[world.react]]\nwhen = \"sum < 0\"\nindex = 1\nvalue = 1\n");
+  EXPECT_EQ(idle.exit_code, 0) << idle.err;
+  EXPECT_THAT(idle.err, HasSubstr("oncard: warning: card 0: nothing started the [[world.react]] of "
+                                  "'sum < 0': it held at no boundary of profile cycles"));
+  const ProcessResult unknown =
+      ExecSum("[[world.react]]\nwhen = \"sun > 0\"\nindex = 1\nvalue = 1\n");
+  EXPECT_EQ(unknown.exit_code, 120);
+  EXPECT_THAT(unknown.err, AllOf(HasSubstr("s.toml:2:8: card 0: never looked at: nothing is named "
+                                           "'sun'"),
+                                 Not(HasSubstr("nothing started"))));
+}
+
 // The host is cut off: its end says nothing of what must hold at the end.
 TEST(ExecRequirements, LeavesTheEndOfAHostThatIsCutOffAlone) {
   const ProcessResult result =
