@@ -29,6 +29,9 @@ Result<std::vector<Requirement>> ReadSources(const std::vector<runtime::Recorded
     }
     const runtime::Scenario& said = problem.scenario;
     if (said.races != runtime::Scenario{}.races) scenario->races = said.races;
+    scenario->endless = scenario->endless || said.endless;
+    if (said.livelock != runtime::Scenario{}.livelock) scenario->livelock = said.livelock;
+    if (said.deadlock != runtime::Scenario{}.deadlock) scenario->deadlock = said.deadlock;
     scenario->sync.insert(scenario->sync.end(), said.sync.begin(), said.sync.end());
     requirements.insert(requirements.end(), problem.requirements.begin(),
                         problem.requirements.end());
@@ -54,6 +57,9 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   if (!requirements.ok()) return requirements.error();
   runtime::ScenarioErrors errors;
   CheckCardSearch(scenario, options, &errors);
+  for (auto& [place, why] : runtime::ClashesWithEndless(scenario, requirements.value())) {
+    errors.Add(place, std::move(why));
+  }
   for (const auto& program : calls->programs()) {
     runtime::SyncGlobals(scenario, program->object, &errors);
   }

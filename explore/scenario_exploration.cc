@@ -137,6 +137,9 @@ void Describe(const runtime::Scenario& scenario, Subject* subject) {
   subject->scenario_hash = XXH64(text.data(), text.size(), 0);
   subject->races = *RaceRuleNamed(scenario.races);
   subject->sync = scenario.sync;
+  subject->endless = scenario.endless;
+  subject->may_last = runtime::MayLastForEver(scenario);
+  subject->may_deadlock = runtime::MayDeadlock(scenario);
   if (!runtime::NeedsCard(scenario, subject->image->object)) return;
   subject->card = CardConditionsOf(scenario);
 }
@@ -220,6 +223,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   if (auto failure = errors.Failure()) return *std::move(failure);
   problem.sync = std::move(sync);
   problem.races = *RaceRuleNamed(scenario.races);
+  problem.may_last = runtime::MayLastForEver(scenario);
   return problem;
 }
 
@@ -242,6 +246,12 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
       exploration.verdict = Verdict::kFailed;
       exploration.why = {};
       exploration.failure = std::move(run.failure);
+    } else if (!run.ended && runtime::MayLastForEver(scenario)) {
+      exploration.why = MakeMessage(
+          "no failure in the first {0} statements of the run that begins with this schedule "
+          "(followed {1} of {2} segments); others were not tried",
+          "以该调度开始的运行在前 {0} 条语句内未出错（共 {2} 段，跟随了 {1} 段）；其它调度未尝试",
+          run.failure.steps.size(), adapted.value().followed, schedule.segments.size());
     } else if (!run.ended) {
       exploration.verdict = Verdict::kIncomplete;
       exploration.why = {"the run that begins with this schedule does not end",
@@ -278,6 +288,11 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                      "values that the host would write",
                      "带主机事件的场景无法探索：应在启动线程时就给出主机要写入的值");
   }
+  runtime::PlacedErrors clashes;
+  for (auto& [place, why] : runtime::ClashesWithEndless(scenario, requirements)) {
+    clashes.Add(place, std::move(why));
+  }
+  if (auto failure = clashes.Failure()) return *std::move(failure);
   return runtime::NeedsCard(scenario, object)
              ? ExploreWithCard(scenario, requirements, std::move(object), options)
              : ExploreProgram(scenario, requirements, std::move(object), options);

@@ -28,6 +28,9 @@ Result<void> AddComments(const std::string& path, std::string_view source, const
   if (auto failure = refused.Failure()) return *std::move(failure);
   runtime::Scenario& said = read.value().scenario;
   if (binds) scenario->threads = std::move(said.threads);
+  scenario->endless = said.endless;
+  scenario->livelock = said.livelock;
+  scenario->deadlock = said.deadlock;
   scenario->globals.insert(scenario->globals.begin(), said.globals.begin(), said.globals.end());
   runtime::AddRequirements(read.value().requirements, scenario);
   return {};

@@ -13,8 +13,8 @@
 namespace oncard::explore {
 
 /// Completes the scenario of a source that is run by itself from the source's comments (problem.h):
-/// requirements, initial values and, unless it has threads, the threads t0, t1, ... Fails on a
-/// comment that cannot be read, or that concerns all schedules.
+/// requirements, whether it has to end, initial values and, unless it has threads, the threads t0,
+/// t1, ... Fails on a comment that cannot be read, or that concerns all schedules.
 Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
                          runtime::Scenario* scenario);
 

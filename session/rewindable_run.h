@@ -114,6 +114,8 @@ class RewindableRun {
   const std::vector<runtime::Agenda::Check>& expectations_at_end() const {
     return course_.agenda().at_end();
   }
+  /// True where a run that may last for ever is cut (RunBounds::CutsAt()).
+  bool is_cut() const { return course_.bounds().CutsAt(controller_); }
   /// True if the scenario has expectations or writes of the host after this moment.
   bool scenario_goes_on() const {
     return course_.agenda().has_checks() || course_.agenda().has_writes() || CallIsLeft();

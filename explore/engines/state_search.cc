@@ -304,7 +304,8 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
     return unanswered->livelock ? counted(*std::move(unanswered))
                                 : in_statements(std::move(unanswered));
   }
-  if (Lasso lasso = graph.complete ? FindFairCycle(graph, hurried) : Lasso{}; lasso.found) {
+  const bool looks_for_cycle = graph.complete && !problem.may_last;
+  if (Lasso lasso = looks_for_cycle ? FindFairCycle(graph, hurried) : Lasso{}; lasso.found) {
     return counted(FailureOf(std::move(lasso)));
   }
   if (search.races.empty()) return std::nullopt;

@@ -88,7 +88,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   runtime::CheckTimes(requirements, scenario, controller.machine().image()->object, &errors);
   model.KeepThreads(BoundThreads(controller.machine()));
   model.bounds_ = runtime::RunBounds::Of(scenario, model.controller_->clock());
-  if (model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
+  if (scenario.until_us && model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
     model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
   model.BindRequirements(requirements, &errors);
@@ -110,6 +110,7 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   model.host_->Prepare(scenario, model.controller_.get());
   model.KeepThreads(model.host_->threads());
   const int64_t end = model.host_->end_cycle();
+  model.bounds_.may_last = runtime::MayLastForEver(scenario);
   if (model.host_->cut()) {
     model.bounds_.until = end;
     model.horizon_.at_ms = ToMs(model.controller_->clock().UsOf(end));
@@ -387,6 +388,10 @@ void CardModel::Settle(State* state) {
     if (host_acts && !state->fault) ActAsHost(state);
     if (state->fault) break;
     if (!host_acts && controller_->Deadlocked()) {
+      if (runtime::MayDeadlock(scenario_)) {
+        state->finished = true;
+        return End(state);
+      }
       state->fault.kind = Fault::Kind::kDeadlock;
     } else if (controller_->cycle() >= bounds_.last()) {
       if (bounds_.kind_of_last() == runtime::RunOver::kLimit) {
@@ -432,13 +437,18 @@ void CardModel::End(State* state) {
   }
   // A failure has cut the run before its end.
   if (!state->fault) supervisor_->JudgeEnd();
-  JudgeEnd(state);
+  if (!bounds_.CutsAt(*controller_)) JudgeEnd(state);
   if (!state->fault) NoteHorizon();
 }
 
 void CardModel::NoteHorizon() {
   latest_end_ = std::max(latest_end_, controller_->cycle());
+  if (bounds_.CutsAt(*controller_)) {
+    horizon_.at_ms = ToMs(controller_->clock().UsOf(controller_->cycle()));
+  }
   if (horizon_.at_ms || watches_card_) horizon_.axes |= runtime::MovingAxes(*controller_);
+  // Threads in a deadlock never go on.
+  if (controller_->Deadlocked()) return;
   const auto& threads = controller_->machine().state().threads;
   for (size_t number = 0; number < threads.size(); ++number) {
     if (vm::IsAwake(threads[number])) horizon_.threads |= 1u << number;

@@ -49,7 +49,7 @@ class CardModel {
     int64_t left = 0;                             ///< statements of the cycle that are left
     uint32_t served = 0;    ///< threads that have executed one in the cycle, by number on the card
     bool ended = false;     ///< the run is over: nothing that the scenario requires is left
-    bool finished = false;  ///< the run ended because no thread runs any more
+    bool finished = false;  ///< the run ended because no thread will run any more
     uint32_t choices = 0;   ///< bit n: thread n of the model may execute the next statement
     uint32_t reached = 0;   ///< bit n: the n-th kEventually has held before
     std::vector<runtime::Owed> owed;  ///< to each response, in the order of the requirements

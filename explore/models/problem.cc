@@ -25,6 +25,10 @@ void ForEachPart(std::string_view text, Visit visit) {
   }
 }
 
+bool IsHangRule(std::string_view name) {
+  return std::ranges::find(runtime::kHangRuleNames, name) != runtime::kHangRuleNames.end();
+}
+
 /// Reads the explorer's comments of a source, one after the other.
 class CommentReader {
  public:
@@ -43,10 +47,18 @@ class CommentReader {
     const std::string_view key = Trim(comment.substr(0, colon));
     const std::string_view rest =
         colon == std::string_view::npos ? std::string_view{} : Trim(comment.substr(colon + 1));
-    if (rest.empty() || !ReadValue(key, rest)) Refuse(Trim(comment));
+    if (key == "endless" && colon == std::string_view::npos) {
+      problem_.scenario.endless = true;
+    } else if (rest.empty() || !ReadValue(key, rest)) {
+      Refuse(Trim(comment));
+    }
   }
 
   Result<CommentProblem> Finish() {
+    for (auto& [place, why] :
+         runtime::ClashesWithEndless(problem_.scenario, problem_.requirements)) {
+      errors_.Add(place, std::move(why));
+    }
     if (auto failure = errors_.Failure()) return *std::move(failure);
     return std::move(problem_);
   }
@@ -65,6 +77,10 @@ class CommentReader {
       if (rest != runtime::Scenario{}.races) {
         problem_.of_all_schedules.push_back({"//@ races", PlaceOfComment()});
       }
+    } else if (key == "livelock" && IsHangRule(rest)) {
+      problem_.scenario.livelock = rest;
+    } else if (key == "deadlock" && IsHangRule(rest)) {
+      problem_.scenario.deadlock = rest;
     } else if (key.starts_with(kWithin)) {
       ReadWithin(key, rest);
     } else if (const auto scope = runtime::ScopeNamed(key)) {
@@ -119,10 +135,11 @@ class CommentReader {
         MakeMessage(
             "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, "
             "//@ always:, //@ never: or //@ eventually: with an expression, //@ leads: or "
-            "//@ within 5 ms: with 'p -> q', //@ sync: v, or //@ races: none or benign",
+            "//@ within 5 ms: with 'p -> q', //@ sync: v, //@ races: none or benign, //@ endless, "
+            "//@ livelock: any, or //@ deadlock: any",
             "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
             "//@ eventually: 加表达式，//@ leads: 或 //@ within 5 ms: 加“p -> q”，//@ sync: "
-            "v，或 //@ races: none 或 benign",
+            "v，//@ races: none 或 benign，//@ endless，//@ livelock: any，或 //@ deadlock: any",
             comment));
   }
 

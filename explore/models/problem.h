@@ -11,6 +11,9 @@
 //   //@ leads: A -> B          each state with A must be followed by this or a later one with B
 //   //@ within 5 ms: A -> B    the same, and in time
 //   //@ races: none            no data race is allowed; benign: those that change no final value
+//   //@ endless                the program is meant to run for ever
+//   //@ livelock: any          threads may run for ever without an end
+//   //@ deadlock: any          all threads may wait for ever
 //   //@ sync: f, g             variables that order what threads do, and do not race themselves
 //
 // and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ...
@@ -86,6 +89,7 @@ struct Problem {
   std::vector<BoundRequirement> requirements = {};
   RaceRule races = RaceRule::kAny;
   SyncCells sync = {};
+  bool may_last = false;  ///< a run that never ends is no failure
 
   /// True if a requirement applies to states before the end.
   bool HasInvariants() const;

@@ -22,18 +22,23 @@ struct ClaimEntry {
 
 /// Which faults an exploration can find without a requirement.
 struct BuiltIn {
+  bool deadlock = false;
   bool livelock = false;
   bool limit = false;  ///< threads that are still running at the scenario's limit_ms
 };
 
 BuiltIn BuiltInOf(const Findings& findings) {
-  const auto& card = findings.subject.card;
-  if (card) return {false, !card->until_us || *card->until_us > card->limit_ms * 1000};
+  const Subject& subject = findings.subject;
+  const bool deadlock = !subject.may_deadlock;
+  if (const auto& card = subject.card) {
+    const bool limit = card->until_us ? *card->until_us > card->limit_ms * 1000 : !subject.may_last;
+    return {deadlock, false, limit};
+  }
   switch (findings.exploration.engine) {
     case EngineKind::kAuto:
     case EngineKind::kDpor:
     case EngineKind::kStateful:
-      return {true, false};
+      return {deadlock, !subject.may_last, false};
     case EngineKind::kBounded:
     case EngineKind::kRandom:
     case EngineKind::kPct:
@@ -41,7 +46,7 @@ BuiltIn BuiltInOf(const Findings& findings) {
     case EngineKind::kFollow:
       break;
   }
-  return {};
+  return {deadlock, false, false};
 }
 
 std::string_view RaceRuleText(RaceRule rule) {
@@ -69,8 +74,12 @@ ClaimEntry Asked(const Findings& findings) {
     const std::string title = requirement.Title();
     entry.lines.push_back({title, title});
   }
-  Message built_in = {"no thread fault, no deadlock", "无线程故障，无死锁"};
+  Message built_in = {"no thread fault", "无线程故障"};
   const BuiltIn looked_for = BuiltInOf(findings);
+  if (looked_for.deadlock) {
+    built_in.en += ", no deadlock";
+    built_in.zh += "，无死锁";
+  }
   if (looked_for.livelock) {
     built_in.en += ", no livelock";
     built_in.zh += "，无活锁";
@@ -106,9 +115,19 @@ ClaimEntry NotAsked(const Findings& findings) {
     line.en += (line.en.empty() ? "" : ", ") + what.en;
     line.zh += (line.zh.empty() ? "" : "、") + what.zh;
   };
-  if (findings.subject.requirements.empty()) add({"the results", "运行结果"});
-  if (!BuiltInOf(findings).livelock) add({"livelock", "活锁"});
-  if (findings.subject.races == RaceRule::kAny) add({"data races", "数据竞争"});
+  const Subject& subject = findings.subject;
+  const BuiltIn looked_for = BuiltInOf(findings);
+  if (subject.requirements.empty()) add({"the results", "运行结果"});
+  if (subject.endless) add({"that runs end (endless)", "运行会结束（endless）"});
+  if (!looked_for.livelock) add({"livelock", "活锁"});
+  const auto is_eventually = [](const Requirement& each) {
+    return each.scope == Scope::kEventually;
+  };
+  if (subject.may_last && std::ranges::any_of(subject.requirements, is_eventually)) {
+    add({"'eventually' in runs that never end", "不结束的运行中的“eventually”"});
+  }
+  if (!looked_for.deadlock) add({"deadlock", "死锁"});
+  if (subject.races == RaceRule::kAny) add({"data races", "数据竞争"});
   ClaimEntry entry = {{"not asked", "未要求"}, {}};
   if (!line.en.empty()) entry.lines.push_back(std::move(line));
   return entry;
@@ -188,8 +207,14 @@ ClaimEntry Bounds(const Findings& findings) {
   ClaimEntry entry = {{"bounds", "范围"}, {}};
   const auto add = [&](Message message) { entry.lines.push_back(std::move(message)); };
   if (const auto& card = findings.subject.card; card && !BuiltInOf(findings).limit) {
-    const double until_ms = ToMs(*card->until_us);
-    add(MakeMessage("the first {0} ms", "前 {0} ms", until_ms));
+    if (card->until_us) {
+      add(MakeMessage("the first {0} ms", "前 {0} ms", ToMs(*card->until_us)));
+    } else if (findings.subject.host != nullptr) {
+      add(MakeMessage("until {0} ms after the host's end", "到主机结束后 {0} ms 为止",
+                      card->limit_ms));
+    } else {
+      add(MakeMessage("the first {0} ms", "前 {0} ms", card->limit_ms));
+    }
   } else if (exploration.horizon) {
     add({"until the threads have ended", "到线程结束为止"});
   }
@@ -201,6 +226,10 @@ ClaimEntry Bounds(const Findings& findings) {
     add(MakeMessage("{0} random schedules of the engine {1}, seed {2}",
                     "{1} 引擎的 {0} 个随机调度，种子 {2}", samples->runs,
                     EngineName(exploration.engine), samples->seed));
+    if (findings.subject.may_last && samples->cut > 0) {
+      add(MakeMessage("the first {0} statements of those that do not end: {1}",
+                      "其中不结束的 {1} 个：前 {0} 条语句", samples->longest, samples->cut));
+    }
   }
   if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
   if (AsksForResponses(findings.subject) && !BuiltInOf(findings).livelock) {
@@ -254,11 +283,13 @@ int64_t CountEnds(const Exploration& exploration) {
 /// Maximum number of elements of an offered requirement; a longer one is hard to read.
 constexpr size_t kOfferedMax = 4;
 
-/// Empty if there are requirements on the results, or a failure.
+/// Empty if there are requirements on the results, or a failure, and for an endless program.
 std::optional<Results> ResultsOf(const Findings& findings) {
   const Exploration& exploration = findings.exploration;
   const Subject& subject = findings.subject;
-  if (!subject.requirements.empty() || exploration.failure) return std::nullopt;
+  if (!subject.requirements.empty() || exploration.failure || subject.endless) {
+    return std::nullopt;
+  }
   // The result of running the threads one after the other is probably the intended one: it comes
   // last in the list.
   std::vector<End> ends = exploration.ends;
@@ -396,7 +427,8 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     if (requirement.scope == Scope::kWithin) each["ms"] = ToMs(requirement.within_us);
   }
   asked["faults"] = true;
-  asked["deadlock"] = true;
+  if (subject.endless) asked["endless"] = true;
+  asked["deadlock"] = built_in.deadlock;
   asked["livelock"] = built_in.livelock;
   asked["limit"] = built_in.limit;
   asked["races"] = RaceRuleText(subject.races);

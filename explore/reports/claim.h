@@ -18,9 +18,9 @@ std::string ClaimText(const Findings& findings, Language language);
 /// The same as a table and a list for an HTML page.
 std::string ClaimHtml(const Findings& findings, Language language);
 
-/// Adds `asked` (`requirements`, `faults`, `deadlock`, `livelock`, `limit`, `races`), `program`,
-/// `assumptions`, `bounds` and `oncard`, the version; if there were no requirements on results,
-/// also `results` and `ask`, a requirement to paste.
+/// Adds `asked` (`requirements`, `faults`, `endless` of such a program, `deadlock`, `livelock`,
+/// `limit`, `races`), `program`, `assumptions`, `bounds` and `oncard`, the version; if there were
+/// no requirements on results, also `results` and `ask`, a requirement to paste.
 void AddClaim(const Findings& findings, nlohmann::ordered_json* json);
 
 }  // namespace oncard::explore

@@ -38,6 +38,9 @@ struct Subject {
   uint64_t scenario_hash = 0;  ///< of the scenario without the program's path, or of the record
   RaceRule races = RaceRule::kAny;
   std::vector<std::string> sync = {};
+  bool endless = false;                     ///< the scenario's key
+  bool may_last = false;                    ///< a run that never ends is no failure
+  bool may_deadlock = false;                ///< nor is one whose threads wait for ever
   std::optional<CardConditions> card = {};  ///< empty: only variables, no time
 };
 

@@ -59,6 +59,16 @@ TEST(HostExplorationTest, ProvesWhatTheCommentsOfTheSourcesAskFor) {
   EXPECT_EQ(findings.subject.requirements[0].text, "x == 2");
 }
 
+TEST(HostExplorationTest, ComplainsOfNoDeadlockThatTheSourceAllows) {
+  const std::string waiting =
+      "int x;\nint f()\n{\n  GT_WaitForVarEq(&x, 1);\n  return 0;\n}\n"
+      "int g()\n{\n  return 0;\n}\n";
+  // The host closes the card after the last thread that ends.
+  EXPECT_EQ(Explored(RecordOf(waiting)).exploration.verdict, Verdict::kFailed);
+  EXPECT_NE(Explored(RecordOf("//@ deadlock: any\n" + waiting)).exploration.verdict,
+            Verdict::kFailed);
+}
+
 TEST(HostExplorationTest, FindsAnInterleavingThatTheRecordedRunDidNotHave) {
   const Findings findings = Explored(RecordOf(Adding("t = x;\n  x = t + 1;")));
   EXPECT_EQ(findings.exploration.verdict, Verdict::kFailed);

@@ -40,8 +40,29 @@ TEST(ProblemTest, CommentsAreRead) {
 }
 
 TEST(ProblemTest, ACommentThatSaysNothingIsAnError) {
-  for (const char* comment : {"//@ finally: x == 1", "//@ final:", "//@", "//@ init: x"}) {
+  for (const char* comment :
+       {"//@ finally: x == 1", "//@ final:", "//@", "//@ init: x", "//@ endless: yes",
+        "//@ endless:", "//@ livelock: benign", "//@ deadlock"}) {
     const auto read = ReadComments("p.c", std::string("\n") + comment, ObjectWith({"t0"}));
+    ASSERT_FALSE(read.ok()) << comment;
+    EXPECT_EQ(read.error().message.en.substr(0, 6), "p.c:2:") << comment;
+  }
+}
+
+TEST(ProblemTest, CommentsSayWhichRunsNeedNoEnd) {
+  const auto read = ReadComments("p.c", "//@ livelock: any\n//@ deadlock: any\n//@ endless\n",
+                                 ObjectWith({"t0"}));
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  EXPECT_TRUE(read.value().scenario.endless);
+  EXPECT_EQ(read.value().scenario.livelock, "any");
+  EXPECT_EQ(read.value().scenario.deadlock, "any");
+  EXPECT_TRUE(read.value().of_all_schedules.empty());
+}
+
+TEST(ProblemTest, AnEndlessProgramHasNoRequirementsOnItsEnd) {
+  for (const char* comment : {"//@ final: x == 1", "//@ eventually: x == 1"}) {
+    const auto read =
+        ReadComments("p.c", std::string("//@ endless\n") + comment, ObjectWith({"t0"}));
     ASSERT_FALSE(read.ok()) << comment;
     EXPECT_EQ(read.error().message.en.substr(0, 6), "p.c:2:") << comment;
   }

@@ -73,6 +73,24 @@ TEST_F(RunCourseTest, IsOverWithTheFirstOfBothBounds) {
   EXPECT_EQ(RunToEnd(), End(8, RunOver::kLimit));
 }
 
+TEST_F(RunCourseTest, CutsWhatMayLastForEver) {
+  for (const std::string key : {"endless = true\n", "livelock = \"any\"\n"}) {
+    Start("h", key + "limit_ms = 2\n");
+    EXPECT_EQ(RunToEnd(), End(8, RunOver::kUntil)) << key;
+    EXPECT_TRUE(course_.bounds().CutsAt(*controller_)) << key;
+    // Ended by itself.
+    Start("f", key + "limit_ms = 2\n");
+    EXPECT_EQ(RunToEnd(), End(1, RunOver::kQuiet)) << key;
+    EXPECT_FALSE(course_.bounds().CutsAt(*controller_)) << key;
+    // The end that is asked for.
+    Start("h", key + "limit_ms = 3\nuntil_ms = 2\n");
+    EXPECT_EQ(RunToEnd(), End(8, RunOver::kUntil)) << key;
+    EXPECT_FALSE(course_.bounds().CutsAt(*controller_)) << key;
+    Start("h", key + "limit_ms = 2\nuntil_ms = 3\n");
+    EXPECT_EQ(RunToEnd(), End(8, RunOver::kLimit)) << key;
+  }
+}
+
 TEST_F(RunCourseTest, LastsToItsEndThoughNoThreadRuns) {
   Start("f", "until_ms = 2\n");
   EXPECT_EQ(RunToEnd(), End(8, RunOver::kUntil));

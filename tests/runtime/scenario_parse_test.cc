@@ -23,6 +23,8 @@ final = ["sum == 3 || sum == 4"]
 always = ["sum < 100"]
 never = ["gpo == 2 && sum == 1"]
 eventually = ["sum == 4"]
+livelock = "any"
+deadlock = "any"
 races = "benign"
 sync = ["flag", "a"]
 explore = { engine = "stateful", verdict = "PASSED", max_states = 1000, runs = 7, follow = "x.schedule" }
@@ -79,6 +81,9 @@ TEST(ParseScenario, ReadsHowToExplore) {
   EXPECT_EQ(s.always, std::vector<std::string>{"sum < 100"});
   EXPECT_EQ(s.never, std::vector<std::string>{"gpo == 2 && sum == 1"});
   EXPECT_EQ(s.eventually, std::vector<std::string>{"sum == 4"});
+  EXPECT_FALSE(s.endless);
+  EXPECT_EQ(s.livelock, "any");
+  EXPECT_EQ(s.deadlock, "any");
   EXPECT_EQ(s.races, "benign");
   EXPECT_EQ(s.sync, (std::vector<std::string>{"flag", "a"}));
   EXPECT_EQ(s.explore, (ExploreWish{"stateful", "PASSED", 0, 7, 1000, "x.schedule"}));
@@ -256,6 +261,21 @@ INSTANTIATE_TEST_SUITE_P(
                 "remove it"},
         BadCase{"host = { source = \"h.c\", flag = [\"-O2\"] }\n",
                 "s.toml:1:26: unknown key 'flag'; did you mean 'flags'?"}));
+
+TEST(ParseScenario, AsksNothingOfTheEndOfAnEndlessProgram) {
+  EXPECT_TRUE(Parse("program = \"p.c\"\nendless = true\nnever = [\"x == 1\"]\n"
+                    "expect = [\"x == 0 @ 2ms\"]\n")
+                  .endless);
+  const std::string endless = "program = \"p.c\"\nendless = true\n";
+  EXPECT_EQ(ErrorOf(endless + "final = [\"x == 1\"]\n"),
+            "s.toml:3:10: 'final: x == 1' is about the end of runs, and an endless program has "
+            "none: use 'always' or 'never', or remove 'endless'");
+  EXPECT_THAT(ErrorOf(endless + "eventually = [\"x == 1\"]\n"),
+              StartsWith("s.toml:3:15: 'eventually: x == 1' is about the end of runs"));
+  EXPECT_EQ(ErrorOf(endless + "expect = [\"x == 1\"]\n"),
+            "s.toml:3:11: 'x == 1' is expected at the end of the run, and an endless program has "
+            "none: add an instant, as in '@ 100ms', or remove 'endless'");
+}
 
 TEST(ParseScenario, ReadsTheHostProgram) {
   const Scenario built =

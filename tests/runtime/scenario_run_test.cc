@@ -115,6 +115,30 @@ TEST(RunScenario, EndsWithoutFailureAtUntil) {
   EXPECT_TRUE(result.reached_until);
 }
 
+TEST(RunScenario, ADeadlockThatIsAllowedEndsTheRun) {
+  EXPECT_FALSE(RunForTest(kWait, "").passed());
+  const ScenarioResult result = RunForTest(kWait, "deadlock = \"any\"\nexpect = [\"go == 0\"]\n");
+  EXPECT_TRUE(result.passed());
+  EXPECT_EQ(result.end, RunEnd::kDeadlock);
+  // What must hold at the end is checked there.
+  EXPECT_FALSE(RunForTest(kWait, "deadlock = \"any\"\nexpect = [\"go == 1\"]\n").passed());
+}
+
+TEST(RunScenario, ARunThatMayLastForEverIsCutByTheLimit) {
+  EXPECT_TRUE(RunForTest(kSpin, "endless = true\nlimit_ms = 2\n").passed());
+  const std::string may_last = "livelock = \"any\"\nlimit_ms = 2\n";
+  EXPECT_THAT(RunForTest(kSpin, may_last).warnings, testing::IsEmpty());
+  // This is not the end of which the expectation speaks.
+  const ScenarioResult result = RunForTest(kSpin, may_last + "expect = [\"n == 0\"]\n");
+  EXPECT_TRUE(result.passed());
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(result.warnings[0].en,
+            "threads still run at the time limit of 2 ms, which is allowed here: what must hold at "
+            "the end of the run was not checked");
+  // It does speak of the end of a run that ends.
+  EXPECT_FALSE(RunForTest(kCount, may_last + "expect = [\"n == 9\"]\n").passed());
+}
+
 // --- The end of a run ----------------------------------------------------------------------------
 
 // 0.5 pulse/ms^2 to 35 pulse/ms takes 70 ms.

@@ -157,6 +157,16 @@ TEST(Forward, WhatHoldsAfterTheEndComesTooLate) {
   EXPECT_EQ(Forward(To(Goal::kStop), &session).failed.size(), 1u);
 }
 
+// A run that may last for ever does not end where it is cut.
+TEST(Forward, JudgesNoEndWhereARunIsCut) {
+  const std::string keys = "limit_ms = 2\nfinal = [\"n == 0\"]\n";
+  Session limited = SessionOf(runtime::kSpin, keys);
+  EXPECT_EQ(Forward(To(Goal::kStop), &limited).failed.size(), 1u);
+  Session cut = SessionOf(runtime::kSpin, "livelock = \"any\"\n" + keys);
+  EXPECT_EQ(Forward(To(Goal::kStop), &cut).failed.size(), 0u);
+  EXPECT_EQ(cut.run().Over(), runtime::RunOver::kUntil);
+}
+
 TEST(Forward, SaysWhereAScheduleEnds) {
   Session recorded = SessionOf(kRace, kTwoThreads);
   recorded.run().AdvanceTo(4);

@@ -38,6 +38,8 @@ constexpr const char* kDouble =
     "  n = d > 0;\n  return n;\n}\n";
 constexpr const char* kInclude = "#include \"v.h\"\nint f()\n{\n  n = 1;\n  return n;\n}\n";
 constexpr const char* kNested = "int n;\nint f()\n{\n  n = 1 + 2 * 3;\n  return n;\n}\n";
+constexpr const char* kLoop = "int n;\nint f()\n{\nlbl:\n  goto lbl;\n}\n";
+constexpr const char* kWait = "int n;\nint f()\n{\n  GT_WaitForVarEq(&n, 1);\n  return n;\n}\n";
 constexpr const char* kAxis = "int n;\nint f()\n{\n  GT_AxisOn(10);\n  return n;\n}\n";
 
 const KeyCase kCases[] = {
@@ -68,6 +70,9 @@ const KeyCase kCases[] = {
     {"always", kTwo, "", "always = [\"n != 1\"]\n"},
     {"never", kTwo, "", "never = [\"n == 1\"]\n"},
     {"eventually", kTwo, "", "eventually = [\"n == 3\"]\n"},
+    {"endless", kLoop, "limit_ms = 2\n", "limit_ms = 2\nendless = true\n"},
+    {"livelock", kLoop, "limit_ms = 2\n", "limit_ms = 2\nlivelock = \"any\"\n"},
+    {"deadlock", kWait, "", "deadlock = \"any\"\n"},
     {"races", kTwo, "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n",
      "races = \"none\"\n[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n"},
     {"sync", kTwo, "", "sync = [\"nothing\"]\n"},

@@ -82,6 +82,34 @@ std::vector<Requirement> RequirementsOf(const Scenario& scenario) {
   return requirements;
 }
 
+std::vector<std::pair<TextPlace, Message>> ClashesWithEndless(
+    const Scenario& scenario, const std::vector<Requirement>& requirements) {
+  std::vector<std::pair<TextPlace, Message>> clashes;
+  if (!scenario.endless) return clashes;
+  for (const Requirement& requirement : requirements) {
+    if (requirement.scope != Scope::kFinal && requirement.scope != Scope::kEventually) continue;
+    clashes.emplace_back(
+        requirement.place,
+        MakeMessage(
+            "'{0}' is about the end of runs, and an endless program has none: use 'always' "
+            "or 'never', or remove 'endless'",
+            "“{0}”针对运行的结束，而标为“endless”的程序不结束：请用“always”或“never”，或去掉"
+            "“endless”",
+            requirement.Title()));
+  }
+  for (const Expectation& expectation : scenario.expectations) {
+    if (expectation.at_us) continue;
+    clashes.emplace_back(
+        expectation.place,
+        MakeMessage("'{0}' is expected at the end of the run, and an endless program has none: add "
+                    "an instant, as in '@ 100ms', or remove 'endless'",
+                    "“{0}”是对运行结束时的期望，而标为“endless”的程序不结束：请加上时刻，如“@ "
+                    "100ms”，或去掉“endless”",
+                    expectation.text()));
+  }
+  return clashes;
+}
+
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario) {
   for (const Requirement& requirement : requirements) {
     const ScopeKey& key = KeyOf(requirement.scope);

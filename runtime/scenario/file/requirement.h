@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -66,6 +67,11 @@ Result<void> CheckForm(const Requirement& requirement);
 
 /// The requirements of a scenario.
 std::vector<Requirement> RequirementsOf(const Scenario& scenario);
+
+/// What an endless program never comes to, each with its place and why: requirements on the end of
+/// runs, and expectations without an instant. Empty unless the scenario is `endless`.
+std::vector<std::pair<TextPlace, Message>> ClashesWithEndless(
+    const Scenario& scenario, const std::vector<Requirement>& requirements);
 
 /// Appends requirements to the keys of a scenario.
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario);

@@ -67,6 +67,12 @@ Result<int> ReadIndex(std::string_view number, int count, const Message& what,
 
 }  // namespace
 
+bool MayLastForEver(const Scenario& scenario) {
+  return scenario.endless || scenario.livelock != Scenario{}.livelock;
+}
+
+bool MayDeadlock(const Scenario& scenario) { return scenario.deadlock != Scenario{}.deadlock; }
+
 TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index) {
   const auto places = scenario.text_places.find(key);
   const bool known = places != scenario.text_places.end() && index < places->second.size();

@@ -145,6 +145,12 @@ struct Scenario {
   /// `p -> q`: each state with `p` is followed by this or a later one with `q`.
   std::vector<std::string> leads;
   std::vector<TimedResponse> within;
+  /// The program is meant to run for ever: no run has to end.
+  bool endless = false;
+  /// Allowed endings without an end: of threads that execute statements for ever, and of threads
+  /// that wait for ever. `none` or `any`.
+  std::string livelock = "none";
+  std::string deadlock = "none";
   /// The places of the texts of `schedule`, `trace`, `final`, `always`, `never`, `eventually`,
   /// `leads`, `races`, `sync` and `explore.engine`, by key, and kReactionPlaces; those that do not
   /// come from a file have none, at the end of the list.
@@ -174,6 +180,11 @@ Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
 /// that ONCARD_CARD names, if any.
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use,
                               const gtcalls::CardType* host_card = nullptr);
+
+/// True if a run that lasts for ever is no failure.
+bool MayLastForEver(const Scenario& scenario);
+/// True if it is no failure that all threads wait for ever.
+bool MayDeadlock(const Scenario& scenario);
 
 /// The place of one of the texts of a key, if it is in Scenario::text_places.
 TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index = 0);

@@ -105,6 +105,9 @@ class ScenarioReader : private TomlKeys {
     }
     for (const toml::table* within : Tables(table, "within")) ReadWithin(*within);
     if (use_ == ScenarioUse::kHost) CheckRequirements();
+    for (const auto& [place, why] : ClashesWithEndless(scenario_, RequirementsOf(scenario_))) {
+      Fail(place, why);
+    }
     ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadPress(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),

@@ -12,6 +12,8 @@ inline constexpr std::array<std::string_view, 7> kEngineNames = {
     "auto", "dpor", "stateful", "bounded", "random", "pct", "pos"};
 inline constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
                                                                   "INCOMPLETE"};
+/// Of livelocks and deadlocks.
+inline constexpr std::array<std::string_view, 2> kHangRuleNames = {"any", "none"};
 inline constexpr std::array<std::string_view, 3> kRaceRuleNames = {"any", "benign", "none"};
 
 }  // namespace oncard::runtime

@@ -3,7 +3,8 @@
 namespace oncard::runtime {
 
 RunBounds RunBounds::Of(const Scenario& scenario, const CardClock& clock) {
-  RunBounds bounds = {clock.CycleAt(scenario.limit_ms * 1000), std::nullopt};
+  RunBounds bounds = {clock.CycleAt(scenario.limit_ms * 1000), std::nullopt,
+                      MayLastForEver(scenario)};
   if (scenario.until_us) bounds.until = clock.CycleAt(*scenario.until_us);
   return bounds;
 }

@@ -4,7 +4,8 @@
 //
 // At a boundary the expectations with this instant are evaluated, then the host writes its
 // variables. Then the run is over
-// - with `until_ms` or with `limit_ms`, whichever is first,
+// - with `until_ms` or with `limit_ms`, whichever is first; a run that may last for ever
+//   (`endless`, `livelock`) is cut by `limit_ms` without a failure,
 // - without `until_ms`, and when no expectation with an instant is left: if no thread runs any
 // more,
 //   or if all that run wait for values that nothing changes any more.
@@ -28,7 +29,7 @@ namespace oncard::runtime {
 /// Why a run is over.
 enum class RunOver : uint8_t {
   kQuiet,     ///< no thread runs any more
-  kUntil,     ///< `until_ms`
+  kUntil,     ///< `until_ms`; without it `limit_ms`, if the run may last for ever
   kLimit,     ///< `limit_ms`
   kDeadlock,  ///< all running threads wait for values that nothing changes any more
   kHostEnd,   ///< the record of a host has no more calls
@@ -38,6 +39,7 @@ enum class RunOver : uint8_t {
 struct RunBounds {
   int64_t limit = INT64_MAX;     ///< `limit_ms`
   std::optional<int64_t> until;  ///< `until_ms`
+  bool may_last = false;         ///< a run that lasts for ever is no failure
 
   static RunBounds Of(const Scenario& scenario, const CardClock& clock);
 
@@ -45,7 +47,13 @@ struct RunBounds {
   int64_t last() const { return std::min(limit, until.value_or(INT64_MAX)); }
   /// Whether the last cycle is the end that the scenario asks for, or a limit that cuts the run.
   RunOver kind_of_last() const {
-    return until && *until <= limit ? RunOver::kUntil : RunOver::kLimit;
+    const bool asked = until ? *until <= limit : may_last;
+    return asked ? RunOver::kUntil : RunOver::kLimit;
+  }
+  /// True where a run that may last for ever is cut: this is not the end that requirements on the
+  /// end speak of.
+  bool CutsAt(const Controller& controller) const {
+    return may_last && !until && controller.cycle() >= limit && !controller.machine().Quiet();
   }
 };
 

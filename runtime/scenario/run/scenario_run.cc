@@ -185,7 +185,8 @@ class ScenarioRunner {
       if (result_.trace) result_.trace->Sample(controller_);
     } while (GoesOn(last) && RunOn(last));
     const RunBounds& bounds = course_.bounds();
-    result_.reached_until = bounds.until && controller_.cycle() >= *bounds.until;
+    result_.reached_until =
+        controller_.cycle() >= bounds.last() && bounds.kind_of_last() == RunOver::kUntil;
     const bool over = ended_ || controller_.machine().Quiet();
     const bool cut = bounds.until && controller_.cycle() >= bounds.limit && !result_.reached_until;
     if (!over || (cut && result_.end == RunEnd::kQuiet)) result_.end = RunEnd::kTimeLimit;
@@ -289,9 +290,24 @@ class ScenarioRunner {
       Fail(check->text, MakeMessage("the run ended before, at {0} ms",
                                     "运行在此之前结束，时刻 {0} ms", result_.end_ms));
     }
-    for (const Agenda::Check& check : course_.agenda().at_end()) EvaluateNow(check);
-    if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
+    if (course_.bounds().CutsAt(controller_)) {
+      WarnOfUncheckedEnd();
+    } else {
+      for (const Agenda::Check& check : course_.agenda().at_end()) EvaluateNow(check);
+      if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
+    }
     ReportEnd();
+  }
+
+  void WarnOfUncheckedEnd() {
+    const bool asked = !course_.agenda().at_end().empty() || !scenario_.final.empty() ||
+                       !scenario_.eventually.empty();
+    if (!asked) return;
+    result_.warnings.push_back(
+        MakeMessage("threads still run at the time limit of {0} ms, which is allowed here: what "
+                    "must hold at the end of the run was not checked",
+                    "到时间上限 {0} ms 时仍有线程在运行（此处允许）：未检查运行结束时应成立的条件",
+                    scenario_.limit_ms));
   }
 
   void ReportCut() {
@@ -363,6 +379,7 @@ class ScenarioRunner {
   // True if the run ended as intended.
   bool InOrder() const {
     return result_.end == RunEnd::kQuiet ||
+           (result_.end == RunEnd::kDeadlock && MayDeadlock(scenario_)) ||
            (result_.end == RunEnd::kTimeLimit && result_.reached_until);
   }
 
@@ -374,6 +391,7 @@ class ScenarioRunner {
         ReportTimeLimit();
         break;
       case RunEnd::kDeadlock:
+        if (MayDeadlock(scenario_)) break;
         Fail({}, MakeMessage("deadlock at {0} ms: every running thread waits for a variable that "
                              "nothing can change any more",
                              "在 {0} ms 时死锁：所有运行中的线程都在等待不会再改变的变量",

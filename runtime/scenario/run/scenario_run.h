@@ -87,7 +87,7 @@ struct ScenarioFailure {
 
 struct ScenarioResult {
   RunEnd end = RunEnd::kQuiet;
-  bool reached_until = false;  ///< ended at the scenario's `until_ms`
+  bool reached_until = false;  ///< ended as RunOver::kUntil (run_course.h)
   /// Ended by RunOptions::stop, or replayed to the point where the recorded run was cut off; the
   /// requirements on the end were not checked.
   bool interrupted = false;
