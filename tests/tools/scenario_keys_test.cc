@@ -73,6 +73,8 @@ const KeyCase kCases[] = {
     {"endless", kLoop, "limit_ms = 2\n", "limit_ms = 2\nendless = true\n"},
     {"livelock", kLoop, "limit_ms = 2\n", "limit_ms = 2\nlivelock = \"any\"\n"},
     {"deadlock", kWait, "", "deadlock = \"any\"\n"},
+    {"leads", kTwo, "", "leads = [\"n == 2 -> n == 1\"]\n"},
+    {"within", kDelay, "", "within = [{ after = \"n == 0\", then = \"n == 1\", ms = 2 }]\n"},
     {"races", kTwo, "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n",
      "races = \"none\"\n[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n"},
     {"sync", kTwo, "", "sync = [\"nothing\"]\n"},
