@@ -71,7 +71,8 @@ std::vector<Requirement> RequirementsOf(const Scenario& scenario) {
       const TextPlace place = PlaceOfText(scenario, key.name, i);
       requirements.push_back(
           key.scope == Scope::kLeads
-              ? ReadResponse(key.scope, texts[i], [&](std::string_view) { return place; })
+              ? ReadResponse(key.scope, texts[i],
+                             [&](std::string_view) -> const TextPlace& { return place; })
               : Requirement{key.scope, texts[i], place});
     }
   }
