@@ -31,7 +31,9 @@ std::string Whole(const TextSource& source) {
 
 std::string Csv(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteCsv, &trace)); }
 std::string Vcd(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteVcd, &trace)); }
-std::string Json(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteJson, &trace)); }
+std::string TraceEvents(const Trace& trace) {
+  return Whole(std::bind_front(&Trace::WriteJson, &trace));
+}
 
 TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
   // Two statements per iteration, 25 per cycle.
@@ -107,7 +109,7 @@ TEST(Trace, ShowsPulsesOfHighSpeedOutputsInsideACycle) {
   const Trace trace = TraceOf(kPulse, "");
   EXPECT_EQ(Csv(trace), "time_ms,gpo,hsio0,hsio1\n0,0,0,0\n0.25,0,1,1\n0.35,0,0,0\n1.25,0,0,0\n");
   EXPECT_THAT(Vcd(trace), HasSubstr("#350\n0\"\n0#\n"));
-  EXPECT_THAT(Json(trace),
+  EXPECT_THAT(TraceEvents(trace),
               HasSubstr(R"({"name":"hsio1","ph":"C","pid":1,"ts":350,"args":{"value":0}})"));
 }
 
@@ -117,7 +119,7 @@ TEST(Trace, HoldsTheOutputThatTheScenarioNames) {
 }
 
 TEST(Trace, WritesTraceEvents) {
-  const std::string json = Json(MovingAxis());
+  const std::string json = TraceEvents(MovingAxis());
   for (const char* event :
        {R"({"name":"axis3.prfPos","ph":"C","pid":1,"ts":250,"args":{"value":0.125}})",
         R"({"name":"start \"3\"","cat":"host","ph":"i","s":"p","pid":1,"tid":32,"ts":0})"}) {
@@ -126,8 +128,8 @@ TEST(Trace, WritesTraceEvents) {
 }
 
 TEST(Trace, WritesWhenThreadsRan) {
-  const std::string json = Json(TraceOf("int f()\n{\n  GT_Delay(2);\n  return 0;\n}\n",
-                                        "[[thread]]\nthread = 3\nfunction = \"f\"\n"));
+  const std::string json = TraceEvents(TraceOf("int f()\n{\n  GT_Delay(2);\n  return 0;\n}\n",
+                                               "[[thread]]\nthread = 3\nfunction = \"f\"\n"));
   for (const char* event :
        {R"({"name":"thread_name","ph":"M","pid":1,"tid":3,"args":{"name":"thread 3"}})",
         R"({"name":"f","cat":"thread","ph":"X","pid":1,"tid":3,"ts":0,"dur":2250})"}) {
@@ -139,10 +141,10 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
   // The alarm is active at power-on; axis 2 reaches its limit switch during the move, 1 ms and the
   // filter time late.
   const std::string json =
-      Json(TraceOf(kSpin,
-                   "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
-                   "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
-                   "index = 2\nvalue = 1\nat_ms = 1\n"));
+      TraceEvents(TraceOf(kSpin,
+                          "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
+                          "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
+                          "index = 2\nvalue = 1\nat_ms = 1\n"));
   for (
       const char* event :
       {R"({"name":"the drive of axis 1 reports an alarm at 0: it is switched off","cat":"card",)"
@@ -186,7 +188,7 @@ TEST(Trace, IsNeverInMemoryAsAWholeText) {
 
 TEST(Trace, MarksWhatTheHostWrites) {
   const std::string json =
-      Json(TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n"));
+      TraceEvents(TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n"));
   EXPECT_THAT(json, HasSubstr(R"({"name":"n = 5","cat":"host","ph":"i")"));
 }
 
