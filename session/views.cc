@@ -179,19 +179,22 @@ Json PartView(const runtime::MotionPart& part, size_t index, const RewindableRun
     Json json = {
         {"name", value.name}, {"path", name}, {"value", ValueView(found.value().front(), run)}};
     if (value.unit != runtime::Unit::kNone) {
-      json["unit"] = runtime::UnitName(value.unit, run.controller().family().cycle_ns != 0);
+      json["unit"] = found.value().front().UnitText(run.controller().family().cycle_ns != 0);
     }
     values.push_back(std::move(json));
   }
   return {{"part", part.name}, {"number", number}, {"values", std::move(values)}};
 }
 
-Json SwitchView(const motion::PositionSwitch& contact) {
+Json SwitchView(const motion::PositionSwitch& contact, const runtime::AxisUnit& unit) {
+  const auto position = [&](double pulses) {
+    return unit.FromPulses(pulses, runtime::AxisMeasure::kPosition);
+  };
   Json json = {{"axis", contact.axis + 1},
                {"type", runtime::InputWordName(contact.type)},
                {"index", contact.bit + 1}};
-  if (std::isfinite(contact.first)) json["from"] = contact.first;
-  if (std::isfinite(contact.last)) json["to"] = contact.last;
+  if (std::isfinite(contact.first)) json["from"] = position(contact.first);
+  if (std::isfinite(contact.last)) json["to"] = position(contact.last);
   json["active_low"] = contact.active_low;
   json["connected"] = contact.connected;
   return json;
@@ -286,7 +289,7 @@ nlohmann::ordered_json CardView(const RewindableRun& run) {
   }
   Json switches = Json::array();
   for (const motion::PositionSwitch& contact : core.state().switches) {
-    switches.push_back(SwitchView(contact));
+    switches.push_back(SwitchView(contact, run.controller().options().units[contact.axis]));
   }
   return {
       {"parts", std::move(parts)}, {"words", std::move(words)}, {"switches", std::move(switches)}};

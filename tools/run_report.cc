@@ -23,7 +23,9 @@ std::string FormatRunText(const runtime::ScenarioResult& result, const Invocatio
   }
   for (const runtime::ShownValue& value : result.values) {
     const std::string list = fmt::to_string(fmt::join(value.elements, ", "));
-    text += fmt::format(fmt::runtime(value.array ? "{} = [{}]\n" : "{} = {}\n"), value.name, list);
+    const std::string unit = value.unit.empty() ? "" : ' ' + value.unit;
+    text += fmt::format(fmt::runtime(value.array ? "{} = [{}]\n" : "{} = {}{}\n"), value.name, list,
+                        unit);
   }
   return text;
 }

@@ -144,7 +144,7 @@ Message DescribeValues(const Requirement& requirement, const runtime::Controller
   std::string tolerance;
   if (comparison->tolerance != 0) tolerance = fmt::format(" +- {}", comparison->tolerance);
   return MakeMessage("{0} is {1}, expected {2}{3}{4}", "{0} 为 {1}，应为 {2}{3}{4}", left.name,
-                     runtime::FormatQuantity(left, controller), SignOf(comparison->comparison),
+                     runtime::DescribeQuantity(left, controller), SignOf(comparison->comparison),
                      *number, tolerance);
 }
 

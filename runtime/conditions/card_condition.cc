@@ -66,7 +66,7 @@ Message CardCondition::DescribeValues(const Controller& controller) const {
   Message values;
   for (const Quantity& quantity : quantities_) {
     if (std::ranges::find(named, quantity.name) != named.end()) continue;
-    const std::string value = FormatQuantity(quantity, controller);
+    const std::string value = DescribeQuantity(quantity, controller);
     values.en += fmt::format("{}{} is {}", named.empty() ? "" : ", ", quantity.name, value);
     values.zh += fmt::format("{}{} 为 {}", named.empty() ? "" : "，", quantity.name, value);
     named.push_back(quantity.name);
@@ -79,6 +79,12 @@ Message DescribeFailure(const CardCondition& condition, const Controller& contro
     return {"it names nothing that has a value", "其中没有任何有值的名称"};
   }
   return condition.DescribeValues(controller);
+}
+
+std::string DescribeQuantity(const Quantity& quantity, const Controller& controller) {
+  const std::string text = FormatQuantity(quantity, controller);
+  const AxisUnit& unit = quantity.axis_unit;
+  return unit.named() ? fmt::format("{} {}", text, unit.NameOf(quantity.measure())) : text;
 }
 
 std::string FormatQuantity(const Quantity& quantity, const Controller& controller) {

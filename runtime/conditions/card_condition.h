@@ -49,5 +49,7 @@ Message DescribeFailure(const CardCondition& condition, const Controller& contro
 
 /// A quantity's value in the form used in messages.
 std::string FormatQuantity(const Quantity& quantity, const Controller& controller);
+/// The same with the unit of an axis that has one: "12.5 mm".
+std::string DescribeQuantity(const Quantity& quantity, const Controller& controller);
 
 }  // namespace oncard::runtime

@@ -214,13 +214,13 @@ constexpr MotionValue kDriveValues[] = {
 };
 
 constexpr std::array kParts = {
-    MotionPart{"axis", AxisCount, kAxisValues},
-    MotionPart{"profile", AxisCount, kProfileValues},
+    MotionPart{"axis", AxisCount, kAxisValues, 1, nullptr, true},
+    MotionPart{"profile", AxisCount, kProfileValues, 1, nullptr, true},
     MotionPart{"encoder", EncoderCount, kEncoderValues, 1,
-               [](const MotionCore& core, size_t i) { return core.HasEncoder(i); }},
+               [](const MotionCore& core, size_t i) { return core.HasEncoder(i); }, true},
     MotionPart{"crd", CrdCount, kCrdValues},
-    MotionPart{"plant", AxisCount, kPlantValues},
-    MotionPart{"step", AxisCount, kStepValues},
+    MotionPart{"plant", AxisCount, kPlantValues, 1, nullptr, true},
+    MotionPart{"step", AxisCount, kStepValues, 1, nullptr, true},
     MotionPart{"dac", AxisCount, kDacValues},
     MotionPart{"spindle", [](const MotionCore&) -> size_t { return 1; }, kSpindleValues,
                kUnnumbered,

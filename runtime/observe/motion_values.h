@@ -52,6 +52,8 @@ struct MotionPart {
   int first = 1;
   /// Whether the card has the part with an index; if empty, it has all of them.
   bool (*has)(const motion::MotionCore& core, size_t index) = nullptr;
+  /// Part n belongs to axis n, and is measured in its unit.
+  bool of_axis = false;
 };
 
 /// The high-speed outputs `hsio0` and `hsio1`, which can change inside a cycle (Trace).

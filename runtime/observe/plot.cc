@@ -49,6 +49,8 @@ struct Curve {
   bool steps = false;
   size_t color = 0;
   int dash = 0;  ///< 0: solid; others distinguish curves with the same colour in a panel
+  std::string unit = {};
+  bool of_own_unit = false;  ///< that of an axis
 };
 
 struct Range {
@@ -142,6 +144,7 @@ class Picture {
     panels_[1].label = fmt::format("velocity [{}]", unit(Unit::kPulsePerMs));
     panels_[2].label = fmt::format("acceleration [{}]", unit(Unit::kPulsePerMs2));
     for (size_t i = 0; i < trace.columns().size(); ++i) AddColumn(i);
+    for (Panel& panel : panels_) NameUnits(&panel);
     AddPaths();
     if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().last().time_us);
     if (end_ms_ <= 0) end_ms_ = 1;
@@ -167,6 +170,20 @@ class Picture {
   }
 
  private:
+  // Where axes have units of their own, the label has the unit of all curves, or each name its own.
+  static void NameUnits(Panel* panel) {
+    std::vector<Curve>& curves = panel->curves;
+    const auto own = [](const Curve& curve) { return curve.of_own_unit; };
+    if (std::ranges::none_of(curves, own)) return;
+    const std::string unit = curves.front().unit;
+    const bool one = std::ranges::all_of(curves, [&](const Curve& c) { return c.unit == unit; });
+    panel->label = panel->label.substr(0, panel->label.find(" ["));
+    if (one) panel->label += fmt::format(" [{}]", unit);
+    for (Curve& curve : curves) {
+      if (!one) curve.name += fmt::format(" [{}]", curve.unit);
+    }
+  }
+
   // --- What there is to see --------------------------------------------------------------------
 
   bool HasPanel() const {
@@ -247,6 +264,8 @@ class Picture {
     Panel& panel = PanelOf(quantity);
     Curve curve;
     curve.name = quantity.name;
+    curve.unit = quantity.UnitText(trace_.per_cycle());
+    curve.of_own_unit = quantity.axis_unit.named();
     curve.steps = form != NumberForm::kReal;
     curve.points = curve.steps ? Changes(points) : Simplify(points);
     curve.color = quantity.value == nullptr ? panel.curves.size() : ColorOfPart(quantity.name);

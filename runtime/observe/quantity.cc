@@ -218,8 +218,8 @@ std::optional<PartName> SplitUnnumbered(std::string_view name) {
 }
 
 Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartName& split,
-                                            const MotionPart& part,
-                                            const motion::MotionCore& core) {
+                                            const MotionPart& part, const Controller& controller) {
+  const motion::MotionCore& core = controller.motion();
   const int last = part.first + static_cast<int>(part.count(core)) - 1;
   if (split.number < part.first || split.number > last) {
     return MakeError(1, "'{0}': this card has {1}{2} to {1}{3}", "“{0}”：此卡只有 {1}{2} 至 {1}{3}",
@@ -250,6 +250,11 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   quantity.kind = QuantityKind::kMotion;
   quantity.value = value;
   quantity.index = index;
+  const bool measured = value->unit == Unit::kPulse || value->unit == Unit::kPulsePerMs ||
+                        value->unit == Unit::kPulsePerMs2;
+  if (part.of_axis && measured && index < core.axis_count()) {
+    quantity.axis_unit = controller.options().units[index];
+  }
   return std::vector{quantity};
 }
 
@@ -305,7 +310,7 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
   const auto part_name = unnumbered ? unnumbered : SplitPart(name);
   if (part_name) {
     if (const MotionPart* part = FindMotionPart(part_name->part)) {
-      return ResolveMotion(name, *part_name, *part, controller.motion());
+      return ResolveMotion(name, *part_name, *part, controller);
     }
   }
   std::vector<std::string_view> candidates;
@@ -399,7 +404,7 @@ double ReadQuantity(const Quantity& quantity, const Controller& controller) {
     case QuantityKind::kOutputBit:
       return (io.Register(static_cast<motion::DoType>(quantity.word)) >> quantity.bit) & 1u;
     case QuantityKind::kMotion:
-      return quantity.value->read(controller.view(), quantity.index);
+      return quantity.Shown(quantity.value->read(controller.view(), quantity.index));
     case QuantityKind::kClock:
       return static_cast<double>(controller.motion().ClockMs());
     case QuantityKind::kStatements:

@@ -22,6 +22,7 @@
 
 #include "base/result.h"
 #include "runtime/observe/motion_values.h"
+#include "runtime/sim/axis_unit.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -53,8 +54,26 @@ struct Quantity {
   int bit = 0;                         ///< from 0
   const MotionValue* value = nullptr;  ///< kMotion
   size_t index = 0;                    ///< of the part, from 0
+  AxisUnit axis_unit = {};             ///< of what is measured along an axis that has a unit
 
   Unit unit() const { return value == nullptr ? Unit::kNone : value->unit; }
+  /// What is measured along the axis; only with a unit.
+  AxisMeasure measure() const {
+    return unit() == Unit::kPulse        ? AxisMeasure::kPosition
+           : unit() == Unit::kPulsePerMs ? AxisMeasure::kVelocity
+                                         : AxisMeasure::kAcceleration;
+  }
+  /// The unit as text, as UnitName() gives it or that of the axis: "mm/s".
+  std::string UnitText(bool per_cycle) const {
+    return axis_unit.named() ? axis_unit.NameOf(measure())
+                             : std::string(UnitName(unit(), per_cycle));
+  }
+  /// The name with the unit of the axis, if it has one: "axis1.prfPos [mm]".
+  std::string Title() const {
+    return axis_unit.named() ? name + " [" + axis_unit.NameOf(measure()) + "]" : name;
+  }
+  /// A value in pulses and milliseconds, as it is shown.
+  double Shown(double of_card) const { return axis_unit.FromPulses(of_card, measure()); }
 };
 
 /// Resolves a name for the controller's program and its bindings: a local belongs to the function

@@ -102,7 +102,8 @@ std::vector<TraceColumn> DefaultColumns(const Controller& controller) {
     auto found = ResolveQuantity(name, controller);
     if (!found.ok()) return;  // hidden by a global variable
     for (Quantity& quantity : found.value()) {
-      columns.push_back({std::move(quantity), true, threshold});
+      const double shown = quantity.Shown(threshold);
+      columns.push_back({std::move(quantity), true, shown});
     }
   };
   for (const DefaultValue& row : kDefaultValues) {
@@ -239,7 +240,7 @@ void Trace::DropUnchanged() {
 void Trace::WriteCsv(const TextSink& sink) const {
   TextBuffer text(sink);
   text += "time_ms";
-  for (const TraceColumn& column : columns_) text += ',' + column.quantity.name;
+  for (const TraceColumn& column : columns_) text += ',' + column.quantity.Title();
   text += "\n";
   RowLog::Reader reader(rows_);
   // Most values equal those of the row before, to the bit: their texts are used again.
@@ -279,6 +280,9 @@ void Trace::WriteVcd(const TextSink& sink) const {
     }
     text += fmt::format("$var {} {} {} $end\n", VcdType(forms_[i]), VcdCode(i),
                         part.empty() ? name : name.substr(dot + 1));
+    if (columns_[i].quantity.axis_unit.named()) {
+      text += fmt::format("$comment {} $end\n", columns_[i].quantity.Title());
+    }
   }
   if (!scope.empty()) text += "$upscope $end\n";
   text += "$upscope $end\n$enddefinitions $end\n";
@@ -330,7 +334,7 @@ void Trace::WriteJson(const TextSink& sink) const {
     RowLog::Reader reader(rows_, {i});
     std::optional<double> before;
     std::string event =
-        fmt::format(R"({{"name":"{}","ph":"C","pid":1,"ts":)", columns_[i].quantity.name);
+        fmt::format(R"({{"name":"{}","ph":"C","pid":1,"ts":)", columns_[i].quantity.Title());
     const size_t head = event.size();
     while (reader.Next()) {
       const double value = reader.row().values.front();

@@ -7,6 +7,7 @@
 // Deterministic; not thread-safe: the C API serialises its callers per card.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "gtcalls/gts/family.h"
 #include "motion/common/rare.h"
 #include "motion/motion_core.h"
+#include "runtime/sim/axis_unit.h"
 #include "runtime/sim/call_text.h"
 #include "runtime/sim/card_clock.h"
 #include "runtime/sim/card_observer.h"
@@ -39,6 +41,8 @@ struct ControllerOptions {
   const gtcalls::Family* family = &gtcalls::GtsFamily();
   /// Its type; nullptr: the default one of the family.
   const gtcalls::CardType* type = nullptr;
+  /// In which values are shown; no part of what the card computes.
+  std::array<AxisUnit, motion::kAxisMax> units = {};
 };
 
 /// The state of a card outside the virtual machine. Statements change it only through GT commands,

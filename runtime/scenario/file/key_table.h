@@ -59,6 +59,8 @@ struct KeyType {
   /// KeySection::path of kTable, kTables, kWish, and of the one table of kEither.
   std::string_view section = {};
   std::string_view several = {};  ///< kEither: that of the tables
+  /// kNumber: in pulses and milliseconds, or in the unit of an axis that has one.
+  std::optional<AxisMeasure> measure = {};
 
   static constexpr KeyType Text() { return {}; }
   static constexpr KeyType Texts() { return {.kind = KeyKind::kTexts}; }
@@ -82,6 +84,11 @@ struct KeyType {
   }
   static constexpr KeyType Number(double smallest, double largest) {
     return {.kind = KeyKind::kNumber, .smallest = smallest, .largest = largest};
+  }
+  static constexpr KeyType Measured(AxisMeasure measure, double smallest, double largest) {
+    KeyType type = Number(smallest, largest);
+    type.measure = measure;
+    return type;
   }
   static constexpr KeyType Numbers(size_t count, double smallest, double largest) {
     return {.kind = KeyKind::kNumbers, .smallest = smallest, .largest = largest, .count = count};

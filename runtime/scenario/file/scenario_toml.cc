@@ -87,6 +87,7 @@ class ScenarioReader : private TomlKeys {
     if (const toml::table* world = Table(table, "world")) {
       scenario_.world = ReadWorld(*world, scenario_.axis_count, *this,
                                   &scenario_.text_places[std::string(kReactionPlaces)]);
+      CheckUnits(*world);
     }
     if (const toml::table* bus = Table(table, "ethercat")) {
       scenario_.bus = ReadBus(*bus, scenario_.axis_count, *this);
@@ -170,6 +171,20 @@ class ScenarioReader : private TomlKeys {
                        "控制卡 {0} 的周期由其自身决定：应去掉“cycle_us”", scenario_.card));
     }
     if (!card->family->HasPrograms()) RefuseProgramKeys(table);
+  }
+
+  /// A second is no fixed number of cycles where commands count cycles.
+  void CheckUnits(const toml::table& world) {
+    const auto card = gtcalls::FindCard(scenario_.card);
+    if (!card || card->family->cycle_ns == 0) return;
+    for (const MotorSetup& motor : scenario_.world.motors) {
+      if (motor.unit.empty()) continue;
+      Fail(world.source(),
+           MakeMessage("the card {0} counts velocities in cycles, so that axis {1} has no 'unit': "
+                       "remove it, and give its numbers in pulses",
+                       "控制卡 {0} 以周期计速度，轴 {1} 不能有“unit”：应去掉，并以脉冲给出数值",
+                       scenario_.card, motor.axis));
+    }
   }
 
   Message DescribeMissingProgram() const {

@@ -25,7 +25,12 @@ constexpr std::string_view kInputNames[] = {
     "limit_positive", "limit_negative", "alarm", "home", "gpi", "arrive", "mpg"};
 
 constexpr KeyType kAxis = KeyType::Whole(1, static_cast<int64_t>(motion::kAxisMax));
-constexpr KeyType kPosition = KeyType::Number(-kPositionMax, kPositionMax);
+constexpr KeyType kPosition =
+    KeyType::Measured(AxisMeasure::kPosition, -kPositionMax, kPositionMax);
+constexpr KeyType kVelocity = KeyType::Measured(AxisMeasure::kVelocity, 0, kWorldVelocityMax);
+/// Pulses in a unit.
+constexpr double kUnitMin = 0.001;
+constexpr double kUnitMax = 1e9;
 constexpr Words kTimeOfChange = {"the time of the change", "变化的时刻"};
 
 constexpr Key<World> kWorldKeys[] = {
@@ -110,6 +115,18 @@ constexpr Key<InputReaction> kReactionKeys[] = {
 
 constexpr Key<MotorSetup> kMotorKeys[] = {
     {{"axis", kAxis, {"the axis", "轴号"}}},
+    {{"unit",
+      KeyType::Text(),
+      {"the unit in which the axis is measured, such as `\"mm\"`, in this file and wherever its "
+       "values are shown",
+       "轴的计量单位，如 `\"mm\"`，用于本文件以及显示其值之处"},
+      {"pulses and milliseconds", "脉冲与毫秒"}},
+     &MotorSetup::unit},
+    {{"pulses_per_unit",
+      KeyType::Number(kUnitMin, kUnitMax),
+      {"how many pulses are one `unit`", "一个 `unit` 的脉冲数"},
+      {"an error with `unit`", "有 `unit` 时为错误"}},
+     &MotorSetup::pulses_per_unit},
     {{"drive",
       KeyType::Choice(kDriveNames),
       {"`ideal`: an enabled drive follows its commands exactly. `velocity`: the drive converts the "
@@ -119,7 +136,7 @@ constexpr Key<MotorSetup> kMotorKeys[] = {
        "它不接收脉冲，因此须闭环（`GT_CtrlMode`、`GT_SetPid`）"},
       {"`ideal`", "`ideal`"}}},
     {{"gain",
-      KeyType::Number(0, kWorldVelocityMax),
+      kVelocity,
       {"of a velocity drive: pulse/ms at full output", "速度型驱动器：满幅输出时的速度，pulse/ms"},
       {"100", "100"}},
      &MotorSetup::gain,
@@ -131,7 +148,7 @@ constexpr Key<MotorSetup> kMotorKeys[] = {
      &MotorSetup::tau_ms,
      true},
     {{"friction",
-      KeyType::Number(0, kWorldVelocityMax),
+      kVelocity,
       {"of a velocity drive: pulse/ms that friction takes from the commanded speed",
        "速度型驱动器：摩擦使指令速度减小的量，pulse/ms"},
       kZero},
@@ -153,21 +170,21 @@ constexpr Key<MotorSetup> kMotorKeys[] = {
      &MotorSetup::index_offset,
      true},
     {{"index_period",
-      KeyType::Number(0, kPositionMax),
+      KeyType::Measured(AxisMeasure::kPosition, 0, kPositionMax),
       {"index marks are at every whole multiple of it from `index_offset`, in pulses; 0: none",
        "自 `index_offset` 起每隔此距离有一个零位标记，单位脉冲；0 表示没有"},
       {"10000", "10000"}},
      &MotorSetup::index_period,
      true},
     {{"max_vel",
-      KeyType::Number(kFollowedMin, kFollowedMax),
+      KeyType::Measured(AxisMeasure::kVelocity, kFollowedMin, kFollowedMax),
       {"pulse/ms that the drive and the mechanics can follow; the warning `axis-limit` tells of a "
        "planned velocity beyond it",
        "驱动器与机械能够跟随的速度，pulse/ms；规划速度超过时以 `axis-limit` 警告"},
       {"no limit", "不限"}},
      &MotorSetup::max_vel},
     {{"max_acc",
-      KeyType::Number(kFollowedMin, kFollowedMax),
+      KeyType::Measured(AxisMeasure::kAcceleration, kFollowedMin, kFollowedMax),
       {"the same for the change of the planned velocity, pulse/ms^2",
        "规划速度的变化率的同类极限，pulse/ms^2"},
       {"no limit", "不限"}},
@@ -251,7 +268,7 @@ constexpr Key<WorldFault> kFaultKeys[] = {
       {"of `noise`: the largest error of a reading", "`noise` 的读数最大误差"},
       {"an error for `noise`", "`noise` 时为错误"}}},
     {{"velocity",
-      KeyType::Number(-kSlipMax, kSlipMax),
+      KeyType::Measured(AxisMeasure::kVelocity, -kSlipMax, kSlipMax),
       {"of `slip`, pulse/ms", "`slip` 的速度，pulse/ms"},
       {"an error for `slip`", "`slip` 时为错误"}}},
 };
@@ -265,7 +282,9 @@ constexpr Key<HandTurn> kHandKeys[] = {
       KeyType::Whole(kAuxiliaryLowest, kAuxiliaryHighest),
       {"an auxiliary encoder of a card of up to 8 axes", "辅助编码器，用于至多 8 轴的控制卡"},
       {"an axis is turned", "转动的是轴"}}},
-    {{"pulses", kPosition, {"the distance; negative: backwards", "转动的脉冲数，反向为负"}},
+    {{"pulses",
+      KeyType::Number(-kPositionMax, kPositionMax),
+      {"the distance; negative: backwards", "转动的脉冲数，反向为负"}},
      &HandTurn::pulses,
      true},
     {{"at_ms", KeyType::Time(), {"when it begins", "开始的时刻"}, kZero}, &HandTurn::at_us, true},

@@ -22,6 +22,14 @@ void SortByTime(std::vector<Event>& events) {
                    [](const Event& a, const Event& b) { return a.at_us < b.at_us; });
 }
 
+/// A row with the range of its values in a unit.
+KeyDescription InUnit(KeyDescription key, const AxisUnit& unit) {
+  if (!key.type.measure) return key;
+  key.type.smallest = unit.FromPulses(key.type.smallest, *key.type.measure);
+  key.type.largest = unit.FromPulses(key.type.largest, *key.type.measure);
+  return key;
+}
+
 class WorldReader {
  public:
   WorldReader(int axis_count, TomlKeys& keys, std::vector<TextPlace>* conditions)
@@ -92,8 +100,14 @@ class WorldReader {
 
   void ReadMotor(const toml::table& table) {
     MotorSetup motor;
-    ReadKeys(table, MotorKeys(), keys_, &motor);
+    const AxisUnit unit = ReadUnit(table);
+    ReadKeysInUnit(table, MotorKeys(), unit, &motor);
     motor.axis = AxisOf(table);
+    // What holds without a key does not depend on the unit.
+    if (!table.contains("gain")) motor.gain = unit.FromPulses(motor.gain, AxisMeasure::kVelocity);
+    if (!table.contains("index_period")) {
+      motor.index_period = unit.FromPulses(motor.index_period, AxisMeasure::kPosition);
+    }
     motor.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
     for (const char* key : {"gain", "tau_ms", "friction"}) {
       Refuse(table, key, motor.drive == motion::DriveKind::kIdeal);
@@ -106,10 +120,46 @@ class WorldReader {
     world_.motors.push_back(motor);
   }
 
+  /// The unit of an axis whose keys say one; mistakes in the values are found when they are read.
+  AxisUnit ReadUnit(const toml::table& table) {
+    constexpr std::string_view kSeparators = "\",[] ";
+    if (table.contains("pulses_per_unit") && !table.contains("unit")) {
+      keys_.Fail(table.get("pulses_per_unit")->source(),
+                 {"'pulses_per_unit' needs a 'unit', such as \"mm\": add it, or remove this",
+                  "“pulses_per_unit”需要“unit”，如 \"mm\"：应加上，或去掉此键"});
+    }
+    if (!table.contains("unit")) return {};
+    Need(table, "pulses_per_unit", {"how many pulses are one 'unit'", "一个“unit”的脉冲数"});
+    const std::string name = table["unit"].value_or(std::string());
+    const double pulses = table["pulses_per_unit"].value_or(0.0);
+    const auto separates = [&](char c) {
+      return static_cast<unsigned char>(c) < ' ' || kSeparators.find(c) != std::string_view::npos;
+    };
+    if (table["unit"].is_string() &&
+        (name.empty() || name.size() > kUnitBytes || std::ranges::any_of(name, separates))) {
+      keys_.Fail(table.get("unit")->source(),
+                 MakeMessage("'unit' must be the name of a unit of at most {0} bytes, without "
+                             "blanks, commas, quotation marks and brackets, such as \"mm\"",
+                             "“unit”应为至多 {0} 字节的单位名称，不含空格、逗号、引号和方括号，如 "
+                             "\"mm\"",
+                             kUnitBytes));
+    }
+    return pulses > 0 ? AxisUnit{name, pulses} : AxisUnit();
+  }
+
+  /// ReadKeys() with the ranges of the rows in the unit of an axis.
+  template <typename Structure>
+  void ReadKeysInUnit(const toml::table& table, std::span<const Key<Structure>> rows,
+                      const AxisUnit& unit, Structure* structure) {
+    std::vector<Key<Structure>> in_unit(rows.begin(), rows.end());
+    for (Key<Structure>& row : in_unit) row.about = InUnit(row.about, unit);
+    ReadKeys(table, std::span<const Key<Structure>>(in_unit), keys_, structure);
+  }
+
   void ReadSwitch(const toml::table& table) {
     SwitchSetup contact;
-    ReadKeys(table, SwitchKeys(), keys_, &contact);
     contact.axis = AxisOf(table);
+    ReadKeysInUnit(table, SwitchKeys(), UnitOf(world_, contact.axis), &contact);
     contact.type = InputType(table, "home");
     const int width = motion::DiWidth(contact.type);
     contact.index = static_cast<int>(keys_.Whole(table, "index", contact.axis, 1, width));
@@ -130,9 +180,13 @@ class WorldReader {
 
   void ReadMove(const toml::table& table) {
     SwitchMove move;
-    ReadKeys(table, MoveKeys(), keys_, &move);
     move.number = SwitchOf(table, {"there is no switch to move: describe it under [[world.switch]]",
                                    "没有可移动的开关：应先在 [[world.switch]] 中描述"});
+    AxisUnit unit;
+    if (!world_.switches.empty()) {
+      unit = UnitOf(world_, world_.switches[static_cast<size_t>(move.number - 1)].axis);
+    }
+    ReadKeysInUnit(table, MoveKeys(), unit, &move);
     CheckPositions(table, move.from, move.to);
     world_.moves.push_back(move);
   }
@@ -173,7 +227,8 @@ class WorldReader {
       fault.amount = static_cast<double>(pulses);
       Need(table, "pulses", {"the largest error of a reading", "读数的最大误差"});
     } else if (fault.kind == FaultKind::kSlip) {
-      ReadValue(table, RowOf(FaultKeys(), "velocity"), keys_, fault.amount);
+      ReadValue(table, InUnit(RowOf(FaultKeys(), "velocity"), UnitOf(world_, fault.number)), keys_,
+                fault.amount);
       Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
     }
     if (fault.until_us && *fault.until_us <= fault.at_us) {

@@ -23,6 +23,9 @@ ControllerOptions CardOptions(const Scenario& scenario) {
   options.motion.axis_count = scenario.axis_count;
   options.motion.cycle_us = scenario.cycle_us;
   options.rate = scenario.rate;
+  for (const MotorSetup& motor : scenario.world.motors) {
+    options.units[static_cast<size_t>(motor.axis - 1)] = UnitOf(scenario.world, motor.axis);
+  }
   return options;
 }
 

@@ -278,6 +278,7 @@ class ScenarioRunner {
       value.name = shown_[i];
       for (const Quantity& quantity : shown_quantities_[i]) {
         value.array = quantity.name != shown_[i];
+        if (quantity.axis_unit.named()) value.unit = quantity.axis_unit.NameOf(quantity.measure());
         value.elements.push_back(FormatNumber(ReadQuantity(quantity, controller_),
                                               FormOfQuantity(quantity, controller_)));
       }

@@ -77,6 +77,7 @@ struct ShownValue {
   std::string name;
   std::vector<std::string> elements;  ///< one for a scalar
   bool array = false;
+  std::string unit = {};  ///< of an axis that has one: `mm`
 };
 
 /// Why a scenario failed: an expectation, a fault, a deadlock, a limit.

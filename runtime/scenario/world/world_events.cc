@@ -10,6 +10,10 @@ using motion::WorldEvent;
 using motion::WorldEventKind;
 using motion::WorldEvents;
 
+AxisUnit UnitOf(const MotorSetup& motor) {
+  return motor.unit.empty() ? AxisUnit() : AxisUnit{motor.unit, motor.pulses_per_unit};
+}
+
 static_assert(kReactionMax <= Reactions::kMax);
 
 uint8_t FromZero(int number) { return static_cast<uint8_t>(number - 1); }
@@ -27,7 +31,7 @@ void AddInput(const InputEvent& input, WorldEvents& events) {
 }
 
 /// The event that begins a fault. The seed of noise is the number of the axis.
-WorldEvent BeginOf(const WorldFault& fault) {
+WorldEvent BeginOf(const World& world, const WorldFault& fault) {
   const uint8_t axis = FromZero(fault.number);
   switch (fault.kind) {
     case FaultKind::kStall:
@@ -37,7 +41,8 @@ WorldEvent BeginOf(const WorldFault& fault) {
     case FaultKind::kNoise:
       return {fault.at_us, WorldEventKind::kEncoderNoise, axis, axis, fault.amount};
     case FaultKind::kSlip:
-      return {fault.at_us, WorldEventKind::kEncoderDrift, axis, 0, fault.amount};
+      return {fault.at_us, WorldEventKind::kEncoderDrift, axis, 0,
+              UnitOf(world, fault.number).ToPulses(fault.amount, AxisMeasure::kVelocity)};
     case FaultKind::kAlarm:
       return {fault.at_us, WorldEventKind::kPin, static_cast<uint8_t>(motion::DiType::kAlarm), axis,
               1};
@@ -48,15 +53,15 @@ WorldEvent BeginOf(const WorldFault& fault) {
 }
 
 /// Ends come before beginnings, so that one fault can follow another at the same instant.
-void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
-  for (const WorldFault& fault : faults) {
+void AddFaults(const World& world, WorldEvents& events) {
+  for (const WorldFault& fault : world.faults) {
     if (!fault.until_us) continue;
-    WorldEvent end = BeginOf(fault);
+    WorldEvent end = BeginOf(world, fault);
     end.at = *fault.until_us;
     end.value = fault.kind == FaultKind::kCutSwitch ? 1 : 0;
     events.push_back(end);
   }
-  for (const WorldFault& fault : faults) events.push_back(BeginOf(fault));
+  for (const WorldFault& fault : world.faults) events.push_back(BeginOf(world, fault));
 }
 
 /// In whole cycles, so that the distance is exact. Ends come before beginnings, as with faults.
@@ -81,10 +86,17 @@ void TellCore(const CardClock& clock, WorldEvents& events) {
   }
 }
 
-void AddMove(const SwitchMove& move, WorldEvents& events) {
+double InPulses(const World& world, int axis, double position) {
+  return UnitOf(world, axis).ToPulses(position, AxisMeasure::kPosition);
+}
+
+void AddMove(const World& world, const SwitchMove& move, WorldEvents& events) {
   const uint16_t contact = FromZero(move.number);
-  events.push_back({move.at_us, WorldEventKind::kSwitchFirst, 0, contact, move.from});
-  events.push_back({move.at_us, WorldEventKind::kSwitchLast, 0, contact, move.to});
+  const int axis = world.switches[contact].axis;
+  events.push_back(
+      {move.at_us, WorldEventKind::kSwitchFirst, 0, contact, InPulses(world, axis, move.from)});
+  events.push_back(
+      {move.at_us, WorldEventKind::kSwitchLast, 0, contact, InPulses(world, axis, move.to)});
 }
 
 void AddModule(const ModuleEvent& module, WorldEvents& events) {
@@ -97,6 +109,21 @@ void AddModule(const ModuleEvent& module, WorldEvents& events) {
     events.push_back({module.at_us, WorldEventKind::kModuleVoltage, item, static_cast<uint16_t>(i),
                       module.volts[i]});
   }
+}
+
+/// The setup in pulses and milliseconds.
+MotorSetup InPulses(MotorSetup setup) {
+  const AxisUnit unit = UnitOf(setup);
+  for (double MotorSetup::*position :
+       {&MotorSetup::position, &MotorSetup::index_offset, &MotorSetup::index_period}) {
+    setup.*position = unit.ToPulses(setup.*position, AxisMeasure::kPosition);
+  }
+  for (double MotorSetup::*velocity :
+       {&MotorSetup::gain, &MotorSetup::friction, &MotorSetup::max_vel}) {
+    setup.*velocity = unit.ToPulses(setup.*velocity, AxisMeasure::kVelocity);
+  }
+  setup.max_acc = unit.ToPulses(setup.max_acc, AxisMeasure::kAcceleration);
+  return setup;
 }
 
 /// What a drive does per millisecond, as the core counts them.
@@ -159,22 +186,27 @@ void ConnectBus(const BusSetup& bus, motion::MotionCore& core) {
                   std::make_shared<const motion::bus::Slaves>(std::move(connected)));
 }
 
-motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
+motion::PositionSwitch SwitchOf(const World& world, const SwitchSetup& setup) {
   return {.axis = FromZero(setup.axis),
           .type = setup.type,
           .bit = FromZero(setup.index),
-          .first = setup.from,
-          .last = setup.to,
+          .first = InPulses(world, setup.axis, setup.from),
+          .last = InPulses(world, setup.axis, setup.to),
           .active_low = setup.active_low};
 }
 
 }  // namespace
 
+AxisUnit UnitOf(const World& world, int axis) {
+  const auto motor = std::ranges::find(world.motors, axis, &MotorSetup::axis);
+  return motor == world.motors.end() ? AxisUnit() : UnitOf(*motor);
+}
+
 WorldEvents EventsOf(const World& world, const BusSetup& bus, const CardClock& clock) {
   WorldEvents events;
   for (const InputEvent& input : world.inputs) AddInput(input, events);
-  for (const SwitchMove& move : world.moves) AddMove(move, events);
-  AddFaults(world.faults, events);
+  for (const SwitchMove& move : world.moves) AddMove(world, move, events);
+  AddFaults(world, events);
   AddHands(world.hands, clock, events);
   for (const VoltageEvent& voltage : world.voltages) {
     events.push_back(
@@ -198,8 +230,8 @@ std::vector<Reactions::Reaction> ReactionsOf(const World& world) {
 
 void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
                 motion::MotionCore& core) {
-  for (const MotorSetup& motor : world.motors) SetUpMotor(motor, clock, core);
-  for (const SwitchSetup& contact : world.switches) core.AddSwitch(SwitchOf(contact));
+  for (const MotorSetup& motor : world.motors) SetUpMotor(InPulses(motor), clock, core);
+  for (const SwitchSetup& contact : world.switches) core.AddSwitch(SwitchOf(world, contact));
   for (size_t i = 0; i < motion::kModuleCount && !world.modules.empty(); ++i) {
     core.module(i).present = false;
   }
@@ -211,7 +243,7 @@ void SetUpWorld(const World& world, const BusSetup& bus, const CardClock& clock,
 
 void FollowClock(const World& world, const BusSetup& bus, const CardClock& clock,
                  motion::MotionCore& core) {
-  for (const MotorSetup& motor : world.motors) SetUpDrive(motor, clock, core);
+  for (const MotorSetup& motor : world.motors) SetUpDrive(InPulses(motor), clock, core);
   // The events that have happened are the same ones, and come before the others as they did.
   core.SetEvents(std::make_shared<const WorldEvents>(EventsOf(world, bus, clock)));
 }

@@ -15,6 +15,7 @@
 #include "motion/mechanics/plant.h"
 #include "motion/mechanics/switches_and_marks.h"
 #include "motion/motion_state.h"
+#include "runtime/sim/axis_unit.h"
 
 namespace oncard::runtime {
 
@@ -26,6 +27,9 @@ struct InputEvent {
   uint32_t value = 0;
   bool operator==(const InputEvent&) const = default;
 };
+
+/// Largest name of the unit of an axis.
+inline constexpr size_t kUnitBytes = 16;
 
 /// An input that changes some time after a condition (runtime/conditions) has become true.
 struct InputReaction {
@@ -41,9 +45,12 @@ inline constexpr size_t kReactionMax = 64;
 /// only, so this also bounds how many can be pending.
 inline constexpr int64_t kReactionUsMax = 60'000'000;
 
-/// The drive and mechanics of an axis.
+/// The drive and mechanics of an axis. Its numbers, and those of switches and faults of the axis,
+/// are in its unit: positions in `unit`, velocities in `unit`/s, accelerations in `unit`/s^2.
 struct MotorSetup {
   int axis = 1;
+  std::string unit;            ///< empty: pulses and milliseconds, as noted
+  double pulses_per_unit = 0;  ///< 0: without `unit`
   motion::DriveKind drive = motion::DriveKind::kIdeal;
   double gain = motion::Drive{}.gain;  ///< pulse/ms at full output
   double tau_ms = motion::Drive{}.tau;
@@ -138,6 +145,9 @@ struct World {
   std::vector<ModuleEvent> modules;
   bool operator==(const World&) const = default;
 };
+
+/// The unit of an axis.
+AxisUnit UnitOf(const World& world, int axis);
 
 /// `stall` `lost_encoder` `noise` `slip` `alarm` `cut_switch`, in the order of FaultKind.
 inline constexpr std::string_view kFaultNames[] = {"stall", "lost_encoder", "noise",
