@@ -26,6 +26,15 @@ test("axes have the switches of their number", () => {
   expect(axesOf(card).map(isUsed)).toEqual([false, true]);
 });
 
+test("axes are shown in their units", () => {
+  const values = [
+    { name: "prfPos", path: "axis1.prfPos", value: 12.5, unit: "mm" },
+    { name: "prfVel", path: "axis1.prfVel", value: 20, unit: "mm/s" },
+  ];
+  const [axis] = axesOf({ ...card, parts: [{ part: "axis", number: 1, values }] });
+  expect(axis).toMatchObject({ positionUnit: "mm", velocityUnit: "mm/s" });
+});
+
 test("pins count from 1", () => {
   expect(pin(card, "gpo", 16)).toBe(true);
   expect(pin(card, "gpo", 15)).toBe(false);

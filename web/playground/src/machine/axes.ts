@@ -7,6 +7,8 @@ export interface AxisView {
   axis: number;
   position: number;
   velocity: number;
+  positionUnit: string;
+  velocityUnit: string;
   servoOn: boolean;
   moving: boolean;
   alarm: boolean;
@@ -16,7 +18,7 @@ export interface AxisView {
   home: boolean;
 }
 
-/** The ends of a stage, in pulses. */
+/** The ends of a stage, in the unit of its axis. */
 export interface Reach {
   least: number;
   largest: number;
@@ -24,6 +26,10 @@ export interface Reach {
 
 function valueOf(part: CardPart, name: string): number {
   return part.values.find((value) => value.name === name)?.value ?? 0;
+}
+
+function unitOf(part: CardPart, name: string): string {
+  return part.values.find((value) => value.name === name)?.unit ?? "";
 }
 
 /** Whether a pin of an input or output word is set; pins count from 1. */
@@ -39,6 +45,8 @@ export function axesOf(card: Card): AxisView[] {
       axis: part.number,
       position: valueOf(part, "prfPos"),
       velocity: valueOf(part, "prfVel"),
+      positionUnit: unitOf(part, "prfPos"),
+      velocityUnit: unitOf(part, "prfVel"),
       servoOn: valueOf(part, "servoOn") !== 0,
       moving: valueOf(part, "moving") !== 0,
       alarm: valueOf(part, "alarm") !== 0,

@@ -35,17 +35,21 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
         <span class="grow" />
         <output class="reading" data-axis={axis.axis}>
           {position}
-          <small> pulse</small>
+          <small> {axis.positionUnit}</small>
         </output>
         <output class="reading">
           {velocity}
-          <small> pulse/ms</small>
+          <small> {axis.velocityUnit}</small>
         </output>
       </div>
       <svg
         viewBox={`0 0 ${width} 40`}
         role="img"
-        aria-label={t.stage(axis.axis, position, velocity)}
+        aria-label={t.stage(
+          axis.axis,
+          `${position} ${axis.positionUnit}`,
+          `${velocity} ${axis.velocityUnit}`,
+        )}
         class="rail"
       >
         <rect x={left} y="24" width={right - left} height="4" class="rail-bed" />

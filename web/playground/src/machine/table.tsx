@@ -31,7 +31,10 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
     <svg
       viewBox={`0 0 ${size} ${size}`}
       role="img"
-      aria-label={t.tableLabel(number(x.position, 0), number(y.position, 0))}
+      aria-label={t.tableLabel(
+        `${number(x.position, 0)} ${x.positionUnit}`,
+        `${number(y.position, 0)} ${y.positionUnit}`,
+      )}
       class="table"
     >
       <rect x={edge} y={edge} width={size - 2 * edge} height={size - 2 * edge} class="table-bed" />

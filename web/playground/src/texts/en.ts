@@ -133,7 +133,7 @@ export const en = {
 
   machine: {
     stage: (axis: number, position: string, velocity: string) =>
-      `Axis ${axis}: position ${position} pulses, velocity ${velocity} pulses per ms`,
+      `Axis ${axis}: position ${position}, velocity ${velocity}`,
     axis: (axis: number) => `Axis ${axis}`,
     off: "off",
     servo: "servo on",
@@ -143,7 +143,7 @@ export const en = {
     negative: "negative limit switch",
     positive: "positive limit switch",
     table: "XY table",
-    tableLabel: (x: string, y: string) => `XY table at ${x}, ${y} pulses`,
+    tableLabel: (x: string, y: string) => `XY table at ${x}, ${y}`,
     tableAxes: (x: number, y: number) => `axes ${x} and ${y}`,
     outputs: "Outputs",
     inputs: "Inputs",

@@ -129,8 +129,7 @@ export const zh: Texts = {
   },
 
   machine: {
-    stage: (axis, position, velocity) =>
-      `轴 ${axis}：位置 ${position} 脉冲，速度 ${velocity} 脉冲每毫秒`,
+    stage: (axis, position, velocity) => `轴 ${axis}：位置 ${position}，速度 ${velocity}`,
     axis: (axis) => `轴 ${axis}`,
     off: "未使能",
     servo: "伺服使能",
@@ -140,7 +139,7 @@ export const zh: Texts = {
     negative: "负限位开关",
     positive: "正限位开关",
     table: "XY 平台",
-    tableLabel: (x, y) => `XY 平台位于 ${x}, ${y} 脉冲`,
+    tableLabel: (x, y) => `XY 平台位于 ${x}, ${y}`,
     tableAxes: (x, y) => `轴 ${x} 和轴 ${y}`,
     outputs: "输出",
     inputs: "输入",
