@@ -151,8 +151,9 @@ void Trace::ReadColumns(const Controller& controller) {
   for (size_t i = 0; i < columns_.size(); ++i) {
     const Quantity& quantity = columns_[i].quantity;
     // Nearly all columns are values of the motion core.
-    sample_[i] = quantity.kind == QuantityKind::kMotion ? quantity.value->read(card, quantity.index)
-                                                        : ReadQuantity(quantity, controller);
+    sample_[i] = quantity.kind == QuantityKind::kMotion
+                     ? quantity.Shown(quantity.value->read(card, quantity.index))
+                     : ReadQuantity(quantity, controller);
   }
 }
 

@@ -86,7 +86,9 @@ TEST(AxisUnits, TracesNameThem) {
   const std::string csv = text(std::bind_front(&Trace::WriteCsv, &*result.trace));
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "time_ms,axis1.prfPos [mm],axis2.prfPos,axis1.prfVel [mm/s],axis2.prfVel");
-  EXPECT_THAT(csv, HasSubstr(",20.0,4.0\n"));
+  // They start at 0.25 ms: 400 pulses in 40 ms and 20 in each of 19.75 more; 16 pulses in 8 ms and
+  // 4 in each of 51.75.
+  EXPECT_THAT(csv, HasSubstr("\n60,0.795,223.0,20.0,4.0\n"));
   EXPECT_THAT(text(std::bind_front(&Trace::WriteVcd, &*result.trace)),
               HasSubstr(" prfPos $end\n$comment axis1.prfPos [mm] $end\n"));
 }
