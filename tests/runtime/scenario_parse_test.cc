@@ -208,7 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npag = 1\n",
                 "s.toml:4:1: unknown key 'pag'; did you mean 'page'?"},
         BadCase{"program = \"p.c\"\n[[world.input]]\nvalue = 1\nwhen = 5\n",
-                "s.toml:4:1: unknown key 'when': expected one of type, index, value, at_ms"},
+                "s.toml:4:1: unknown key 'when': expected one of type, index, value, at_ms, "
+                "between_ms"},
         BadCase{"program = 5\n", "s.toml:1:11: 'program' must be a string"},
         BadCase{"program = \"p.c\"\nrate = 0\n",
                 "s.toml:2:8: 'rate' must be a whole number from 1 to 1000000"},

@@ -86,6 +86,19 @@ TEST(ScenarioSchema, TakesEverySample) {
   EXPECT_GT(count, 20);
 }
 
+TEST(ScenarioSchema, TakesChoices) {
+  const auto fits = [](const std::string& text) {
+    return FitsSchema("program = \"p.c\"\n" + text);
+  };
+  EXPECT_TRUE(fits("globals = { n = { any = [1, 10] } }\n"));
+  EXPECT_FALSE(fits("globals = { n = { any = [1] } }\n"));
+  EXPECT_FALSE(fits("globals = { n = { all = [1, 10] } }\n"));
+  EXPECT_FALSE(fits("[[host]]\nset = { n = { any = [1, 10] } }\n"));
+  EXPECT_TRUE(fits("[[world.input]]\nindex = 1\nvalue = \"any\"\nbetween_ms = [1, 2.5]\n"));
+  EXPECT_FALSE(fits("[[world.input]]\nindex = 1\nvalue = \"all\"\n"));
+  EXPECT_FALSE(fits("[[world.fault]]\nkind = \"stall\"\nbetween_ms = [1, 2, 3]\n"));
+}
+
 TEST(ScenarioSchema, TakesWhatIsWritten) {
   const std::string text =
       "program = \"p.c\"\ncard = \"GTS-400\"\nuntil_ms = 2.5\nexplore = { engine = \"stateful\", "

@@ -53,7 +53,12 @@ std::string ValueOf(const KeyType& type) {
       return "`true` or `false`";
     case KeyKind::kTime:
       return "ms";
+    case KeyKind::kTimes:
+      return "list of two ms";
+    case KeyKind::kLevel:
+      return RangeOf(type) + ", or `any`";
     case KeyKind::kValues:
+    case KeyKind::kOpenValues:
       return "table of variables";
     case KeyKind::kTable:
       return "table";

@@ -39,12 +39,15 @@ enum class KeyKind : uint8_t {
   kNumber,
   kNumbers,  ///< a list
   kFlag,
-  kTime,    ///< in ms, from 0 to kTimeMsMax
-  kValues,  ///< a table of variables: each a number or a list of numbers
-  kTable,   ///< one table of its own section
-  kTables,  ///< several
-  kEither,  ///< one table of its own section, or several of another one
-  kWish     ///< "prove", or a table of its own section
+  kTime,        ///< in ms, from 0 to kTimeMsMax
+  kTimes,       ///< two of them, the earlier one first
+  kLevel,       ///< a whole number, or "any"
+  kValues,      ///< a table of variables: each a number or a list of numbers
+  kOpenValues,  ///< the same, or whole numbers of which one is chosen
+  kTable,       ///< one table of its own section
+  kTables,      ///< several
+  kEither,      ///< one table of its own section, or several of another one
+  kWish         ///< "prove", or a table of its own section
 };
 
 /// The values that a key can have. What a command cannot know without the program, or what depends
@@ -95,7 +98,12 @@ struct KeyType {
   }
   static constexpr KeyType Flag() { return {.kind = KeyKind::kFlag}; }
   static constexpr KeyType Time() { return {.kind = KeyKind::kTime}; }
+  static constexpr KeyType Times() { return {.kind = KeyKind::kTimes}; }
+  static constexpr KeyType Level(int64_t largest) {
+    return {.kind = KeyKind::kLevel, .largest = static_cast<double>(largest)};
+  }
   static constexpr KeyType Values() { return {.kind = KeyKind::kValues}; }
+  static constexpr KeyType OpenValues() { return {.kind = KeyKind::kOpenValues}; }
   static constexpr KeyType Table(std::string_view section) {
     return {.kind = KeyKind::kTable, .section = section};
   }

@@ -69,7 +69,9 @@ void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& ke
 
 void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& keys,
                std::vector<InitialValue>& value) {
-  if (const toml::table* values = keys.Table(table, key.name)) value = keys.Values(*values);
+  if (const toml::table* values = keys.Table(table, key.name)) {
+    value = keys.Values(*values, key.type.kind == KeyKind::kOpenValues);
+  }
 }
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -119,6 +121,10 @@ std::string FormatValue(const KeyType&, const std::vector<InitialValue>& value) 
 }
 
 std::string FormatInitialValue(const InitialValue& initial) {
+  if (initial.last) {
+    return fmt::format("{} = {{ any = [{}, {}] }}", TomlString(initial.name),
+                       static_cast<int64_t>(initial.values.front()), *initial.last);
+  }
   if (initial.values.size() == 1) {
     return fmt::format("{} = {}", TomlString(initial.name), initial.values.front());
   }

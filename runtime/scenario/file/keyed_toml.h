@@ -69,7 +69,7 @@ std::string FormatValue(const KeyType& type, const std::vector<std::string>& val
 std::string FormatValue(const KeyType& type, const std::optional<int64_t>& value);
 /// The inside of an inline table.
 std::string FormatValue(const KeyType& type, const std::vector<InitialValue>& value);
-/// `name = number`.
+/// `name = number`, or another form of TomlKeys::Values().
 std::string FormatInitialValue(const InitialValue& initial);
 
 /// The text of a key that is not written as its row says; nothing: as its row says; an empty text:

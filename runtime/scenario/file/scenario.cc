@@ -221,4 +221,22 @@ Result<InitialValue> ParseInitialValue(std::string_view text) {
   return initial;
 }
 
+Result<InitialValue> ParseValueRange(std::string_view text) {
+  const size_t equals = std::min(text.find('='), text.size());
+  const std::string_view name = Trim(text.substr(0, equals));
+  const std::string_view range = text.substr(std::min(equals + 1, text.size()));
+  const size_t dots = std::min(range.find(".."), range.size());
+  const auto first = ReadWhole<int64_t>(Trim(range.substr(0, dots)));
+  const auto last = ReadWhole<int64_t>(Trim(range.substr(std::min(dots + 2, range.size()))));
+  if (name.empty() || !first || !last || *first > *last || *first < -kChosenMax ||
+      *last > kChosenMax) {
+    return MakeError(1,
+                     "'{0}' is not a choice: expected name = first..last with whole numbers, the "
+                     "smaller one first, as in x = 0..3",
+                     "“{0}”不是选择：应为 变量 = 首值..末值，二者为整数且小者在前，如 x = 0..3",
+                     text);
+  }
+  return InitialValue{std::string(name), {static_cast<double>(*first)}, {}, *last};
+}
+
 }  // namespace oncard::runtime

@@ -30,6 +30,8 @@ struct InitialValue {
   std::string name;  ///< `v`, `a`, `a[3]`, `s.member`
   std::vector<double> values;
   TextPlace place = {};  ///< of the name
+  /// It is any whole number from the only value to here; empty: exactly what `values` says.
+  std::optional<int64_t> last = {};
   bool operator==(const InitialValue&) const = default;
 };
 
@@ -217,5 +219,11 @@ Result<ThreadStart> ParseThreadStart(std::string_view text);
 
 /// Reads `name=value` or `name=value,value,...` (the form of `--set`, for arrays).
 Result<InitialValue> ParseInitialValue(std::string_view text);
+
+/// Whole numbers of which one is chosen are at most so far from 0: doubles are exact up to here.
+inline constexpr int64_t kChosenMax = int64_t{1} << 53;
+
+/// Reads `name = first..last`, the form of `//@ input`: any whole number between them.
+Result<InitialValue> ParseValueRange(std::string_view text);
 
 }  // namespace oncard::runtime

@@ -54,8 +54,20 @@ class SchemaWriter {
                        Say(key.meaning), Say(key.standard));
   }
 
+  /// A list of two of these.
+  static Json PairOf(Json item) {
+    return {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", std::move(item)}};
+  }
+
+  /// A table of variables, whose values are one of these.
+  static Json ValuesOf(Json forms) {
+    return {{"type", "object"}, {"additionalProperties", {{"anyOf", std::move(forms)}}}};
+  }
+
   Json ValueOf(const KeyType& type) const {
     const Json number = {{"type", "number"}};
+    const Json list = {{"type", "array"}, {"minItems", 1}, {"items", number}};
+    Json time = {{"type", "number"}, {"minimum", 0}, {"maximum", kTimeMsMax}};
     switch (type.kind) {
       case KeyKind::kText:
         return {{"type", "string"}};
@@ -85,11 +97,22 @@ class SchemaWriter {
       case KeyKind::kFlag:
         return {{"type", "boolean"}};
       case KeyKind::kTime:
-        return {{"type", "number"}, {"minimum", 0}, {"maximum", kTimeMsMax}};
-      case KeyKind::kValues: {
-        const Json list = {{"type", "array"}, {"minItems", 1}, {"items", number}};
-        return {{"type", "object"},
-                {"additionalProperties", {{"anyOf", Json::array({number, list})}}}};
+        return time;
+      case KeyKind::kTimes:
+        return PairOf(time);
+      case KeyKind::kLevel:
+        return {{"anyOf", Json::array({Json{{"type", "integer"},
+                                            {"minimum", static_cast<int64_t>(type.smallest)},
+                                            {"maximum", static_cast<int64_t>(type.largest)}},
+                                       Json{{"const", "any"}}})}};
+      case KeyKind::kValues:
+        return ValuesOf(Json::array({number, list}));
+      case KeyKind::kOpenValues: {
+        const Json any = {{"type", "object"},
+                          {"additionalProperties", false},
+                          {"properties", {{"any", PairOf({{"type", "integer"}})}}},
+                          {"required", Json::array({"any"})}};
+        return ValuesOf(Json::array({number, list, any}));
       }
       case KeyKind::kTable:
         return ObjectOf(type.section);

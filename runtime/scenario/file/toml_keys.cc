@@ -42,6 +42,25 @@ Message DescribeKeyOfFile(std::string_view key, const toml::table& table) {
                      "“{0}”是整个文件的键：应移到第一个表之前", key);
 }
 
+/// A time in ms as microseconds; empty for anything else.
+std::optional<int64_t> TimeOf(const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !(*value >= 0 && *value <= static_cast<double>(kTimeMsMax))) return std::nullopt;
+  return FromMs(*value);
+}
+
+/// Reads `{ any = [first, last] }`; false for anything else.
+bool ReadAny(const toml::table& table, InitialValue* initial) {
+  const toml::array* ends = table["any"].as_array();
+  if (table.size() != 1 || ends == nullptr || ends->size() != 2) return false;
+  const auto first = ends->at(0).value_exact<int64_t>();
+  const auto last = ends->at(1).value_exact<int64_t>();
+  if (!first || !last || *first > *last || *first < -kChosenMax || *last > kChosenMax) return false;
+  initial->values = {static_cast<double>(*first)};
+  initial->last = *last;
+  return true;
+}
+
 }  // namespace
 
 void TomlKeys::CheckKeys(const toml::table& table, std::span<const std::string_view> known) {
@@ -159,13 +178,30 @@ size_t TomlKeys::Choice(const toml::table& table, std::string_view key,
 int64_t TomlKeys::Time(const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   if (node == nullptr) return 0;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !(*value >= 0 && *value <= static_cast<double>(kTimeMsMax))) {
+  const auto time = TimeOf(*node);
+  if (!time) {
     Fail(node->source(), MakeMessage("'{0}' must be a time in ms, from 0 to {1}",
                                      "“{0}”应为以 ms 计的时间，0 至 {1}", key, kTimeMsMax));
-    return 0;
   }
-  return FromMs(*value);
+  return time.value_or(0);
+}
+
+std::optional<std::pair<int64_t, int64_t>> TomlKeys::Times(const toml::table& table,
+                                                           std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* list = node->as_array();
+  if (list != nullptr && list->size() == 2) {
+    const auto first = TimeOf(list->at(0));
+    const auto last = TimeOf(list->at(1));
+    if (first && last && *first <= *last) return std::pair(*first, *last);
+  }
+  Fail(
+      node->source(),
+      MakeMessage("'{0}' must be two times in ms from 0 to {1}, the earlier one first, as in [10, "
+                  "40]",
+                  "“{0}”应为两个以 ms 计的时间，0 至 {1}，早者在前，如 [10, 40]", key, kTimeMsMax));
+  return std::nullopt;
 }
 
 const toml::table* TomlKeys::Table(const toml::table& table, std::string_view key) {
@@ -195,7 +231,7 @@ std::vector<const toml::table*> TomlKeys::Tables(const toml::table& table, std::
   return tables;
 }
 
-std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
+std::vector<InitialValue> TomlKeys::Values(const toml::table& table, bool open) {
   std::vector<std::pair<toml::source_region, InitialValue>> placed;
   for (const auto& [key, node] : table) {
     InitialValue initial;
@@ -208,11 +244,20 @@ std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
     if (const toml::array* list = node.as_array()) {
       for (const toml::node& item : *list) add(item);
       numbers = numbers && !list->empty();
+    } else if (const toml::table* any = open ? node.as_table() : nullptr) {
+      numbers = ReadAny(*any, &initial);
     } else {
       add(node);
     }
     if (!numbers && IsKeyOfFile(key.str())) {
       Fail(key.source(), DescribeKeyOfFile(key.str(), table));
+    } else if (!numbers && open && node.is_table()) {
+      Fail(key.source(),
+           MakeMessage("'{0}' must be a number, a list of numbers, or a choice between two whole "
+                       "numbers, the smaller one first, as in {{ any = [1, 10] }}",
+                       "“{0}”应为数字、数字列表，或两个整数之间的选择，小者在前，如 "
+                       "{{ any = [1, 10] }}",
+                       key.str()));
     } else if (!numbers) {
       Fail(key.source(), MakeMessage("'{0}' must be a number or a list of numbers",
                                      "“{0}”应为数字或数字列表", key.str()));

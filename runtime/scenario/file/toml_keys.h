@@ -65,6 +65,8 @@ class TomlKeys {
   bool Flag(const toml::table& table, std::string_view key, bool absent);
   /// Milliseconds, whole or not, as microseconds; 0 when the key is not there.
   int64_t Time(const toml::table& table, std::string_view key);
+  /// Two such times, the earlier one first; empty if the key is missing.
+  std::optional<std::pair<int64_t, int64_t>> Times(const toml::table& table, std::string_view key);
   /// The index of a string among names; `absent` if the key is missing.
   size_t Choice(const toml::table& table, std::string_view key,
                 std::span<const std::string_view> names, size_t absent);
@@ -72,8 +74,9 @@ class TomlKeys {
   const toml::table* Table(const toml::table& table, std::string_view key);
   /// The tables under [[path]]; the last part of the path is their key in `table`.
   std::vector<const toml::table*> Tables(const toml::table& table, std::string_view path);
-  /// `name = number` and `name = [number, ...]`, in the order of the file.
-  std::vector<InitialValue> Values(const toml::table& table);
+  /// `name = number` and `name = [number, ...]`, in the order of the file. `open`: a value can also
+  /// be `{ any = [first, last] }`.
+  std::vector<InitialValue> Values(const toml::table& table, bool open = false);
   void Fail(const toml::source_region& place, const Message& message);
   void Fail(const TextPlace& place, const Message& message);
 

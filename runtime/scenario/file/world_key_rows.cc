@@ -32,6 +32,7 @@ constexpr KeyType kVelocity = KeyType::Measured(AxisMeasure::kVelocity, 0, kWorl
 constexpr double kUnitMin = 0.001;
 constexpr double kUnitMax = 1e9;
 constexpr Words kTimeOfChange = {"the time of the change", "变化的时刻"};
+constexpr Words kAtMs = {"`at_ms`", "`at_ms`"};
 
 constexpr Key<World> kWorldKeys[] = {
     {{"input",
@@ -80,9 +81,12 @@ constexpr Key<InputEvent> kInputKeys[] = {
       {"the input, from 1", "输入的编号，从 1 开始"},
       {"all inputs of the type", "该类型的所有输入"}}},
     {{"value",
-      KeyType::Whole(0, (int64_t{1} << kInputsMax) - 1),
-      {"level of the pin, 0 or 1; without `index` a word with one bit for each pin",
-       "管脚电平，0 或 1；没有 `index` 时为每位对应一个管脚的字"}}},
+      KeyType::Level((int64_t{1} << kInputsMax) - 1),
+      {"level of the pin, 0 or 1; without `index` a word with one bit for each pin. `\"any\"`, "
+       "with "
+       "`index` only, is a choice of 0 or 1, below",
+       "管脚电平，0 或 1；没有 `index` 时为每位对应一个管脚的字。`\"any\"` 须有 `index`，"
+       "为 0 与 1 之间的选择"}}},
     {{"at_ms",
       KeyType::Time(),
       {"the time; the first cycle that begins at or after it sees the change",
@@ -90,6 +94,12 @@ constexpr Key<InputEvent> kInputKeys[] = {
       kZero},
      &InputEvent::at_us,
      true},
+    {{"between_ms",
+      KeyType::Times(),
+      {"instead of `at_ms`: the change comes with any cycle that begins in this time, both ends "
+       "included: a choice, below",
+       "代替 `at_ms`：变化发生在此时间段内任一周期开始时，含两端；为选择"},
+      kAtMs}},
 };
 
 // Of the input it has the keys of `[[world.input]]`.
@@ -261,6 +271,12 @@ constexpr Key<WorldFault> kFaultKeys[] = {
     {{"at_ms", KeyType::Time(), {"when the fault begins", "故障开始的时刻"}, kZero},
      &WorldFault::at_us,
      true},
+    {{"between_ms",
+      KeyType::Times(),
+      {"instead of `at_ms`: the fault begins with any cycle that begins in this time, both ends "
+       "included: a choice, below",
+       "代替 `at_ms`：故障在此时间段内任一周期开始时发生，含两端；为选择"},
+      kAtMs}},
     {{"until_ms", KeyType::Time(), {"when it ends", "故障结束的时刻"}, {"never", "不结束"}},
      &WorldFault::until_us},
     {{"pulses",

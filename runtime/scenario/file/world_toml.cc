@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include "base/milliseconds.h"
 #include "motion/io/extension.h"
@@ -29,6 +30,9 @@ KeyDescription InUnit(KeyDescription key, const AxisUnit& unit) {
   key.type.largest = unit.FromPulses(key.type.largest, *key.type.measure);
   return key;
 }
+
+/// The value of an input whose level is open.
+constexpr std::string_view kAnyLevel = "any";
 
 class WorldReader {
  public:
@@ -58,15 +62,27 @@ class WorldReader {
   void ReadInput(const toml::table& table) {
     InputEvent event;
     ReadKeys(table, InputKeys(), keys_, &event);
-    ReadLevel(table, &event);
+    ReadBetween(table, &event);
+    event.any_level = table["value"].value_exact<std::string>() == kAnyLevel;
+    if (event.any_level) {
+      ReadPin(table, &event);
+      Need(table, "index", {"any level is chosen for one input", "任意电平只能用于一个输入"});
+    } else {
+      ReadLevel(table, &event);
+    }
     world_.inputs.push_back(event);
   }
 
-  void ReadLevel(const toml::table& table, InputEvent* event) {
+  void ReadPin(const toml::table& table, InputEvent* event) {
     event->type = InputType(table, "gpi");
-    const int width = motion::DiWidth(event->type);
-    event->index = static_cast<int>(keys_.Whole(table, "index", 0, 1, width));
-    const int64_t highest = event->index == 0 ? (int64_t{1} << width) - 1 : 1;
+    event->index =
+        static_cast<int>(keys_.Whole(table, "index", 0, 1, motion::DiWidth(event->type)));
+  }
+
+  void ReadLevel(const toml::table& table, InputEvent* event) {
+    ReadPin(table, event);
+    const int64_t highest =
+        event->index == 0 ? (int64_t{1} << motion::DiWidth(event->type)) - 1 : 1;
     event->value = static_cast<uint32_t>(keys_.Whole(table, "value", -1, 0, highest));
     if (!table.contains("value")) {
       keys_.Fail(table.source(), {"'value' is missing: the level of the pin, 0 or 1",
@@ -96,6 +112,19 @@ class WorldReader {
     }
     conditions_.push_back(keys_.PlaceOfValue(table, "when"));
     world_.reactions.push_back(std::move(reaction));
+  }
+
+  /// The choice of an instant, which takes the place of `at_ms`.
+  template <typename Event>
+  void ReadBetween(const toml::table& table, Event* event) {
+    const auto times = keys_.Times(table, "between_ms");
+    if (!times) return;
+    if (table.contains("at_ms")) {
+      keys_.Fail(table.get("at_ms")->source(),
+                 {"'at_ms' and 'between_ms' exclude each other: remove one of them",
+                  "“at_ms”与“between_ms”不能同时使用：应去掉其一"});
+    }
+    std::tie(event->at_us, event->last_us) = *times;
   }
 
   void ReadMotor(const toml::table& table) {
@@ -231,9 +260,13 @@ class WorldReader {
                 fault.amount);
       Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
     }
-    if (fault.until_us && *fault.until_us <= fault.at_us) {
+    ReadBetween(table, &fault);
+    if (fault.until_us && *fault.until_us <= fault.last_us.value_or(fault.at_us)) {
       keys_.Fail(table.source(),
-                 {"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
+                 fault.last_us
+                     ? Message{"'until_ms' must be later than the end of 'between_ms'",
+                               "“until_ms”应晚于“between_ms”的末端"}
+                     : Message{"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
     }
     CheckFault(table, fault);
     world_.faults.push_back(fault);
@@ -410,13 +443,23 @@ class WorldReader {
 SpecialText LevelText(const InputEvent& event, std::string_view key) {
   if (key == "type") return TomlString(InputWordName(event.type));
   if (key == "index" && event.index != 0) return std::to_string(event.index);
-  if (key == "value") return std::to_string(event.value);
+  if (key == "value") return event.any_level ? TomlString(kAnyLevel) : std::to_string(event.value);
   return std::nullopt;
+}
+
+/// The keys of an instant that is open; nothing for any other key.
+template <typename Event>
+SpecialText FormatBetween(const Event& event, std::string_view key) {
+  if (!event.last_us) return std::nullopt;
+  if (key == "at_ms") return "";
+  if (key != "between_ms") return std::nullopt;
+  return fmt::format("[{}, {}]", FormatMs(event.at_us), FormatMs(*event.last_us));
 }
 
 std::string FormatInput(const InputEvent& event) {
   return AsTable("[[world.input]]", WriteKeys(event, InputKeys(), [&](std::string_view key) {
-                   return LevelText(event, key);
+                   const SpecialText level = LevelText(event, key);
+                   return level ? level : FormatBetween(event, key);
                  }));
 }
 
@@ -467,7 +510,7 @@ std::string FormatFault(const WorldFault& fault) {
                    }
                    if (key == number) return SpecialText(std::to_string(fault.number));
                    if (key == amount) return SpecialText(fmt::format("{}", fault.amount));
-                   return SpecialText();
+                   return FormatBetween(fault, key);
                  }));
 }
 

@@ -25,6 +25,9 @@ struct InputEvent {
   motion::DiType type = motion::DiType::kGpi;
   int index = 0;  ///< from 1; 0 = the whole word
   uint32_t value = 0;
+  /// It comes at the beginning of any cycle from at_us to here; empty: at at_us.
+  std::optional<int64_t> last_us = {};
+  bool any_level = false;  ///< the level is 0 or 1, and `value` the smaller one
   bool operator==(const InputEvent&) const = default;
 };
 
@@ -99,6 +102,8 @@ struct WorldFault {
   int64_t at_us = 0;
   std::optional<int64_t> until_us;  ///< empty: permanently
   double amount = 0;
+  /// It begins with any cycle from at_us to here; empty: at at_us.
+  std::optional<int64_t> last_us = {};
   bool operator==(const WorldFault&) const = default;
 };
 
