@@ -137,6 +137,15 @@ TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
   }
 }
 
+TEST(CallRecord, LeavesNothingOpen) {
+  Scenario open;
+  open.world.inputs.push_back({.at_us = 1000, .index = 1, .last_us = 2000});
+  const auto read =
+      ParseCallRecords(FormatRecordHead() + FormatRecordedOpening(0, open, true), "host.calls");
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().message.en, HasSubstr("host.calls:2:"));
+}
+
 TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
   const std::string good = LineOf(Call(100, "GT_Stop", {Value(1), Value(0)}));
   for (size_t size = 0; size < good.size() - 1; ++size) {

@@ -14,6 +14,7 @@
 #include "base/json_text.h"
 #include "base/utf8.h"
 #include "gtcalls/card_elements.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::runtime {
@@ -286,6 +287,11 @@ class RecordReader {
     if (!line->good()) return Damaged();
     auto world = ParseScenario(scenario, path_, ScenarioUse::kText);
     if (!world.ok()) return world.error();
+    // A host has met one case.
+    if (const auto choices = Choices::Of(world.value());
+        !choices.ok() || !choices.value().empty()) {
+      return Damaged();
+    }
     if (line->Has("eni") && !ReadMessage(line->At("eni"), &world.value().bus.eni_error)) {
       return Damaged();
     }

@@ -58,6 +58,7 @@ std::string_view EndName(const ScenarioResult& result) {
 
 nlohmann::ordered_json ResultJson(const ScenarioResult& result, Language language) {
   Json json;
+  if (result.chosen != nullptr) json["choice"] = result.choice.In(language);
   json["passed"] = result.passed();
   json["end"] = EndName(result);
   json["time_ms"] = result.end_ms;

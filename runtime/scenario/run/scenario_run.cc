@@ -6,6 +6,7 @@
 #include "base/milliseconds.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/observe/thread_status.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_course.h"
 #include "runtime/scenario/run/scenario_card.h"
@@ -483,14 +484,37 @@ class ScenarioRunner {
   vm::Recording* recording_ = nullptr;  // where the run is recorded
 };
 
+Error NothingToDraw() {
+  return MakeError(1,
+                   "the seed draws choices, and the scenario has none: remove the seed, or leave "
+                   "something open, as in 'between_ms = [10, 40]'",
+                   "种子用于抽取选择，而场景没有选择：应去掉种子，或留出选择，如 "
+                   "“between_ms = [10, 40]”");
+}
+
 }  // namespace
 
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options) {
-  return ScenarioRunner(scenario, options).Run(std::move(object));
+  const auto choices = Choices::Of(scenario);
+  if (!choices.ok()) return choices.error();
+  if (choices.value().empty()) {
+    if (options.seed) return NothingToDraw();
+    return ScenarioRunner(scenario, options).Run(std::move(object));
+  }
+  // Every case must fit the program, whichever is run.
+  if (auto fits = CheckScenario(scenario, object); !fits.ok()) return fits.error();
+  const int64_t number = options.seed ? choices.value().Draw(*options.seed) : 0;
+  const auto chosen = std::make_shared<const Scenario>(choices.value().CaseOf(scenario, number));
+  auto result = ScenarioRunner(*chosen, options).Run(std::move(object));
+  if (!result.ok()) return result;
+  result.value().choice = choices.value().DescribeCase(number);
+  result.value().chosen = chosen;
+  return result;
 }
 
 Result<void> CheckScenario(const Scenario& scenario, vm::Object object, RunWatch* watch) {
+  if (const auto choices = Choices::Of(scenario); !choices.ok()) return choices.error();
   RunOptions options;
   options.watch = watch;
   return ScenarioRunner(scenario, options).Fit(std::move(object));

@@ -53,6 +53,8 @@ struct RunOptions {
   /// If set from outside, for instance by a signal handler, the run ends early, and the result
   /// contains what was recorded until then.
   const std::atomic<bool>* stop = nullptr;
+  /// Of a scenario with choices (choices.h): the case that this seed draws; empty: the first one.
+  std::optional<uint64_t> seed = {};
   /// Receives refused commands of threads, and what the card does by itself.
   CardLog* log = nullptr;
   /// Observes the run.
@@ -87,6 +89,9 @@ struct ScenarioFailure {
 };
 
 struct ScenarioResult {
+  /// Of a scenario with choices: what was chosen, and the scenario that was run for that.
+  Message choice;
+  std::shared_ptr<const Scenario> chosen;
   RunEnd end = RunEnd::kQuiet;
   bool reached_until = false;  ///< ended as RunOver::kUntil (run_course.h)
   /// Ended by RunOptions::stop, or replayed to the point where the recorded run was cut off; the
@@ -110,13 +115,14 @@ struct ScenarioResult {
   bool passed() const { return failures.empty(); }
 };
 
-/// Runs the scenario. Fails with everything that does not fit the program (an unknown name, a value
-/// out of range, a schedule of another program), in the order of the file; or if Verify() rejects
-/// the object. Failures during the run are in the result.
+/// Runs the scenario, or one case of its choices. Fails with everything that does not fit the
+/// program (an unknown name, a value out of range, a schedule of another program), in the order of
+/// the file; as Choices::Of(); if there is a seed and no choice; or if Verify() rejects the object.
+/// Failures during the run are in the result.
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options = {});
 
-/// Fails if RunScenario() would fail before the first statement.
+/// Fails if RunScenario() would fail before the first statement in some case of the choices.
 Result<void> CheckScenario(const Scenario& scenario, vm::Object object, RunWatch* watch = nullptr);
 
 }  // namespace oncard::runtime

@@ -147,11 +147,21 @@ Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std
     return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
                      name, slots.value().size(), initial.values.size());
   }
+  if (initial.last && slots.value().size() > 1) {
+    return MakeError(1, "'{0}' is an array: choose for one of its elements, such as '{0}[0]'",
+                     "“{0}”是数组：应为其中一个元素作选择，如“{0}[0]”", name);
+  }
+  const auto write = [&](const Quantity& slot, double value) -> Result<void> {
+    if (controller->machine().Write(slot.slot, value)) return {};
+    return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", value, slot.name);
+  };
+  if (initial.last) {
+    const auto last = write(slots.value().front(), static_cast<double>(*initial.last));
+    if (!last.ok()) return last.error();
+  }
   for (size_t i = 0; i < initial.values.size(); ++i) {
-    if (!controller->machine().Write(slots.value()[i].slot, initial.values[i])) {
-      return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
-                       slots.value()[i].name);
-    }
+    const auto written = write(slots.value()[i], initial.values[i]);
+    if (!written.ok()) return written.error();
   }
   return slots;
 }

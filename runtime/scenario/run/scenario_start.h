@@ -35,7 +35,8 @@ Result<vm::Policy> FollowSchedule(std::shared_ptr<const vm::Schedule> schedule,
 
 /// Writes the values to the variable `name`, or to the first elements of an array. Returns all
 /// quantities to which the name refers; fails if it is not a variable, has fewer elements than
-/// there are values, or a value does not fit.
+/// there are values, or a value does not fit. Of a choice it writes the smallest value; the largest
+/// one must fit, too, and an array has no choice.
 Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
                                           Controller* controller);
 
