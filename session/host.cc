@@ -356,6 +356,9 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
   for (const compiler::SourceFile& file : compilation.files) {
     answer["files"].push_back({{"path", file.path()}, {"text", file.text()}});
   }
+  if (const Message& choice = session_->choice(); !choice.en.empty()) {
+    answer["choice"] = choice.In(language_);
+  }
   answer["state"] = StateNow();
   return answer;
 }

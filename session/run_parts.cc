@@ -41,6 +41,7 @@ std::vector<Part> ProgramParts() {
               Object({Has("compiled", Always(true)), Has("diagnostics", diagnostics),
                       Has("files", ListOf(The("SourceFile"))),
                       MayHave("cards", ListOf(The("RecordedCard")), "Of the record of a host."),
+                      MayHave("choice", Text(), "As of a whole run: the first case is loaded."),
                       Has("state", The("State"))})})},
       {"RecordedCard", "One of the records in the file of a host.",
        Object({Has("card", Whole()), Has("opening", Whole()), Has("calls", Whole())})},
@@ -49,7 +50,8 @@ std::vector<Part> ProgramParts() {
               Members{MayHave("run", The("Run"), "Missing if the program does not compile.")})},
       {"Run", "The result of a whole run, as `oncard run --format=json` writes it.",
        Object(
-           {Has("passed", Flag()),
+           {MayHave("choice", Text(), "What was chosen, if the scenario leaves something open."),
+            Has("passed", Flag()),
             Has("end", Words({"quiet", "until", "time-limit", "deadlock", "schedule-end",
                               "diverged", "interrupted"})),
             Has("time_ms", Number()), Has("statements", Whole()), Has("program_hash", Text()),

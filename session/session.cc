@@ -5,6 +5,8 @@
 
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/scenario/run/choices.h"
+#include "runtime/scenario/run/scenario_run.h"
 
 namespace oncard::session {
 namespace {
@@ -50,12 +52,21 @@ Result<std::vector<Quantity>> ResolveScalars(const std::vector<std::string>& nam
 
 Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
                                 std::shared_ptr<const vm::Schedule> schedule) {
+  const auto choices = runtime::Choices::Of(scenario);
+  if (!choices.ok()) return choices.error();
+  Message choice;
+  if (!choices.value().empty()) {
+    if (auto fits = runtime::CheckScenario(scenario, object); !fits.ok()) return fits.error();
+    scenario = choices.value().CaseOf(scenario, 0);
+    choice = choices.value().DescribeCase(0);
+  }
   auto run = RewindableRun::Create(std::move(scenario), std::move(object), std::move(schedule));
   if (!run.ok()) return run.error();
   auto stops = Stops::Create(*run.value());
   if (!stops.ok()) return stops.error();
   run.value()->Await(stops.value().Awaited(), stops.value().Responses());
   Session session(std::move(run).value(), std::move(stops).value());
+  session.choice_ = std::move(choice);
   if (session.ForbidsRaces()) {
     StopWishes wishes;
     wishes.races = true;

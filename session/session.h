@@ -53,6 +53,8 @@ class Session {
   static Result<Session> CreateFromCalls(runtime::Scenario scenario,
                                          std::unique_ptr<const runtime::HostCalls> calls);
 
+  /// What was chosen, if the scenario leaves something open: its first case is run. Empty: nothing.
+  const Message& choice() const { return choice_; }
   RewindableRun& run() { return *run_; }
   const RewindableRun& run() const { return *run_; }
   const Stops& stops() const { return stops_; }
@@ -117,6 +119,7 @@ class Session {
 
   std::unique_ptr<RewindableRun> run_;
   Stops stops_;
+  Message choice_;
 };
 
 }  // namespace oncard::session

@@ -20,6 +20,7 @@
 #include "runtime/scenario/file/key_script.h"
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/scenario/record/call_record.h"
+#include "runtime/scenario/run/choices.h"
 #include "tools/commands.h"
 #include "tools/gbk_output.h"
 #include "tools/gnuplot.h"
@@ -181,6 +182,8 @@ int Exec(const ExecArguments& arguments, const Invocation& invocation) {
     const auto scenario =
         runtime::LoadScenario(arguments.scenario, runtime::ScenarioUse::kHost, card.value());
     if (!scenario.ok()) return Fail(invocation, kExitUnreadable, scenario.error().message);
+    const auto choices = runtime::Choices::Of(scenario.value());
+    if (!choices.ok()) return Fail(invocation, kExitUnreadable, choices.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
   if (!arguments.record.empty()) {

@@ -1,4 +1,7 @@
 // oncard run: runs a program with options, or a scenario file, to its end.
+#include <algorithm>
+#include <cstddef>
+
 #include "base/milliseconds.h"
 #include "base/number.h"
 #include "explore/source_comments.h"
@@ -19,6 +22,7 @@ struct RunArguments {
   std::vector<std::string> show;
   std::vector<std::string> expectations;
   std::optional<std::string> schedule;
+  std::optional<uint64_t> seed;
   std::optional<int> rate;
   std::optional<int64_t> cycle_us;
   std::optional<double> until_ms;
@@ -81,6 +85,16 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   return scenario;
 }
 
+/// What the command line sets, the last values, is not left open.
+void CloseChoices(size_t set, std::vector<runtime::InitialValue>* globals) {
+  const std::vector<runtime::InitialValue> last(globals->end() - static_cast<std::ptrdiff_t>(set),
+                                                globals->end());
+  std::erase_if(*globals, [&](const runtime::InitialValue& value) {
+    return value.last &&
+           std::ranges::find(last, value.name, &runtime::InitialValue::name) != last.end();
+  });
+}
+
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
                    vm::Recording recording, const Invocation& invocation) {
   recording.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
@@ -102,11 +116,13 @@ int Run(const RunArguments& arguments, const Invocation& invocation) {
         explore::AddComments(arguments.path, source, *load.object, &scenario.value());
     if (!added.ok()) return Fail(invocation, kExitUsage, added.error().message);
   }
+  CloseChoices(arguments.globals.size(), &scenario.value().globals);
 
   runtime::RunOptions options;
   vm::Recording recording;
   if (!arguments.record.empty()) options.recording = &recording;
   options.show = arguments.show;
+  options.seed = arguments.seed;
   ApplyViews(arguments.views, &options);
   options.strict_commands = arguments.strict_commands;
   options.silent = SilentOf(arguments.silent);
@@ -125,8 +141,9 @@ int Run(const RunArguments& arguments, const Invocation& invocation) {
   code = std::max(code, WriteViews(result.value(), arguments.views,
                                    runtime::TitleOf(scenario.value()), invocation));
   if (options.recording != nullptr) {
-    code = std::max(code,
-                    WriteRecording(arguments, scenario.value(), std::move(recording), invocation));
+    const auto& chosen = result.value().chosen;
+    code = std::max(code, WriteRecording(arguments, chosen ? *chosen : scenario.value(),
+                                         std::move(recording), invocation));
   }
   return code;
 }
@@ -186,6 +203,12 @@ void AddRun(CLI::App& app, Invocation& invocation) {
                    say("rr[:N], priority, random:SEED, pct:SEED:D or replay:FILE (default rr)",
                        "rr[:N]、priority、random:SEED、pct:SEED:D 或 replay:FILE（默认 rr）"))
       ->type_name("POLICY");
+  command
+      ->add_option("--seed", arguments->seed,
+                   say("of what the scenario leaves open, the case that this seed draws (default: "
+                       "the earliest and smallest)",
+                       "场景留有选择时，采用该种子抽取的情形（默认：最早、最小者）"))
+      ->type_name("N");
   command
       ->add_option("--rate", arguments->rate,
                    say("statements per ms, shared by all threads (default 100)",

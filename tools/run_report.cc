@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/result_json.h"
 
 namespace oncard::tools {
@@ -16,6 +17,9 @@ std::string FormatFailure(const runtime::ScenarioFailure& failure, Language lang
 
 std::string FormatRunText(const runtime::ScenarioResult& result, const Invocation& invocation) {
   std::string text;
+  if (result.chosen != nullptr) {
+    text = runtime::DescribeChosen(result.choice).In(invocation.language) + '\n';
+  }
   for (const runtime::ThreadReport& thread : result.threads) {
     text +=
         invocation.Say(MakeMessage("thread {0} {1}: {2}\n", "线程 {0} {1}：{3}\n", thread.thread,

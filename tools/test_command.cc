@@ -7,6 +7,7 @@
 #include "explore/scenario_exploration.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/file_patterns.h"
@@ -146,6 +147,9 @@ void RunOnce(const runtime::Scenario& scenario, vm::Object object, const Testing
   if (!result.ok()) {
     outcome->failures.push_back(result.error().message);
     return;
+  }
+  if (result.value().chosen != nullptr) {
+    outcome->warnings.push_back(runtime::DescribeChosen(result.value().choice));
   }
   outcome->time_ms = result.value().end_ms;
   outcome->statements = result.value().statements;

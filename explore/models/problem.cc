@@ -67,7 +67,12 @@ class CommentReader {
   /// False for a value that is not valid for the key.
   bool ReadValue(std::string_view key, std::string_view rest) {
     if (key == "init") {
-      ForEachPart(rest, [this](std::string_view part) { ReadInitialValue(part); });
+      ForEachPart(rest, [this](std::string_view part) {
+        AddValue(part, runtime::ParseInitialValue(part));
+      });
+    } else if (key == "input") {
+      ForEachPart(
+          rest, [this](std::string_view part) { AddValue(part, runtime::ParseValueRange(part)); });
     } else if (key == "sync") {
       ForEachPart(rest, [this](std::string_view part) { ReadSync(part); });
       problem_.of_all_schedules.push_back({"//@ sync", PlaceOfComment()});
@@ -116,9 +121,8 @@ class CommentReader {
     problem_.requirements.push_back(std::move(requirement));
   }
 
-  /// Reads `g=1`.
-  void ReadInitialValue(std::string_view part) {
-    auto value = runtime::ParseInitialValue(part);
+  /// A value that was read from a part of the line.
+  void AddValue(std::string_view part, Result<runtime::InitialValue> value) {
     if (!value.ok()) return errors_.Add(PlaceOfComment(), value.error().message);
     value.value().place = PlaceOf(part);
     problem_.scenario.globals.push_back(std::move(value).value());
@@ -133,13 +137,14 @@ class CommentReader {
     errors_.Add(
         PlaceOfComment(),
         MakeMessage(
-            "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, "
-            "//@ always:, //@ never: or //@ eventually: with an expression, //@ leads: or "
-            "//@ within 5 ms: with 'p -> q', //@ sync: v, //@ races: none or benign, //@ endless, "
-            "//@ livelock: any, or //@ deadlock: any",
-            "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
-            "//@ eventually: 加表达式，//@ leads: 或 //@ within 5 ms: 加“p -> q”，//@ sync: "
-            "v，//@ races: none 或 benign，//@ endless，//@ livelock: any，或 //@ deadlock: any",
+            "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ input: v = 0..3, "
+            "//@ final:, //@ always:, //@ never: or //@ eventually: with an expression, "
+            "//@ leads: or //@ within 5 ms: with 'p -> q', //@ sync: v, //@ races: none or benign, "
+            "//@ endless, //@ livelock: any, or //@ deadlock: any",
+            "“{0}”不是探索注释：应为 //@ init: v=1，//@ input: v = 0..3，//@ final:、//@ always:、"
+            "//@ never: 或 //@ eventually: 加表达式，//@ leads: 或 //@ within 5 ms: 加“p -> q”，"
+            "//@ sync: v，//@ races: none 或 benign，//@ endless，//@ livelock: any，或 "
+            "//@ deadlock: any",
             comment));
   }
 

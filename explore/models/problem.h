@@ -4,6 +4,7 @@
 // A source without a scenario states them in comments, one per line:
 //
 //   //@ init: g=1, h=5         values of globals before the start
+//   //@ input: g = 0..3        a value of which one is chosen: any whole number between them
 //   //@ final: EXPRESSION      must hold when all threads have ended
 //   //@ always: EXPRESSION     must hold in every state
 //   //@ never: EXPRESSION      must hold in no state

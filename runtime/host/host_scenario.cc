@@ -21,6 +21,7 @@
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/file/expectation.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/reaction_conditions.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/run/vacuity.h"
@@ -44,6 +45,12 @@ Verdict& VerdictOfProcess() {
   return verdict;
 }
 
+/// What was chosen, if the scenario leaves something open; the scenario is its first case.
+Message& ChoiceOfProcess() {
+  static Message& choice = *new Message;
+  return choice;
+}
+
 /// A scenario at `path` has a card of another family than the library.
 Error WrongFamily(std::string_view path, const gtcalls::Family& family) {
   std::vector<std::string_view> names;
@@ -64,7 +71,11 @@ Result<std::shared_ptr<const Scenario>> ReadScenario() {
   if (!scenario.ok()) return scenario.error();
   const gtcalls::Family& family = FamilyOf(scenario.value());
   if (&family != &LibraryFamily()) return WrongFamily(path, family);
-  return std::make_shared<const Scenario>(std::move(scenario).value());
+  const auto choices = Choices::Of(scenario.value());
+  if (!choices.ok()) return choices.error();
+  if (choices.value().empty()) return std::make_shared<const Scenario>(std::move(scenario).value());
+  ChoiceOfProcess() = DescribeChosen(choices.value().DescribeCase(0));
+  return std::make_shared<const Scenario>(choices.value().CaseOf(scenario.value(), 0));
 }
 
 }  // namespace
@@ -287,6 +298,9 @@ bool ReportHost() {
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
   if (auto never = NeverChecked(verdict)) verdict.failures.push_back(*std::move(never));
+  if (const Message& choice = ChoiceOfProcess(); !choice.en.empty()) {
+    verdict.warnings.push_back(choice);
+  }
   const RefusalReport wanted = RefusalReportOfProcess();
   std::vector<Message> refusals;
   if (wanted != RefusalReport::kNothing) refusals = HostRefusals::OfProcess().Describe();

@@ -49,6 +49,25 @@ TEST(ProblemTest, ACommentThatSaysNothingIsAnError) {
   }
 }
 
+TEST(ProblemTest, InputsAreRangesOfWholeNumbers) {
+  const auto read = ReadComments("p.c", "//@ input: x = 0..3, a[2] = -1..1\n", ObjectWith({"t0"}));
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  const auto& globals = read.value().scenario.globals;
+  ASSERT_EQ(globals.size(), 2u);
+  EXPECT_EQ(globals[0].values, std::vector<double>{0});
+  EXPECT_EQ(globals[0].last, 3);
+  EXPECT_EQ(globals[1].name, "a[2]");
+  EXPECT_EQ(globals[1].values, std::vector<double>{-1});
+  EXPECT_EQ(globals[1].last, 1);
+  for (const char* comment : {"x", "x = 3", "x = 3..1", "x = 1.5..2", "x = 1..", "= 1..2",
+                              "x = 1..99999999999999999999", "x = -9007199254740993..0"}) {
+    const auto wrong =
+        ReadComments("p.c", std::string("//@ input: ") + comment + '\n', ObjectWith({"t0"}));
+    ASSERT_FALSE(wrong.ok()) << comment;
+    EXPECT_NE(wrong.error().message.en.find("is not a choice"), std::string::npos) << comment;
+  }
+}
+
 TEST(ProblemTest, CommentsSayWhichRunsNeedNoEnd) {
   const auto read = ReadComments("p.c", "//@ livelock: any\n//@ deadlock: any\n//@ endless\n",
                                  ObjectWith({"t0"}));

@@ -469,6 +469,20 @@ TEST_F(HostTest, MovesSwitches) {
   EXPECT_THAT(ErrorOf("move_switch", {{"switch", 2}, {"to", 0}}), HasSubstr("no switch 2"));
 }
 
+TEST_F(HostTest, TakesTheFirstCaseOfChoicesAndSaysIt) {
+  const Json arguments = {
+      {"main", "s.toml"},
+      {"files",
+       {{"p.c", kAxis},
+        {"s.toml",
+         "program = \"p.c\"\n[[thread]]\nfunction = \"f\"\ninit = { k = { any = [2, 5] } }\n"}}}};
+  const Json loaded = Result("load", arguments);
+  EXPECT_EQ(loaded["choice"], "k = 2");
+  EXPECT_EQ(Result("evaluate", {{"text", "page0.k"}})["value"], 2);
+  EXPECT_THAT(Result("record")["scenario"].get<std::string>(), HasSubstr("\"k\" = 2"));
+  EXPECT_EQ(Result("run", arguments)["run"]["choice"], "k = 2");
+}
+
 // --- The same requests give the same bytes -------------------------------------------------------
 
 TEST_F(HostTest, AnswersTheSameRequestsWithTheSameBytes) {

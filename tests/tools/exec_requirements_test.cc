@@ -146,5 +146,16 @@ TEST(ExecRequirements, LeavesTheEndOfAHostThatIsCutOffAlone) {
                     HasSubstr("'always: sum <= 5050': held in all "), Not(HasSubstr("final"))));
 }
 
+TEST(ExecRequirements, AreCheckedInTheFirstCaseOfChoices) {
+  const ProcessResult result = ExecSum(
+      "final = [\"gpi[1] == 1\"]\n[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [0, 1]\n");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("oncard: warning: choice: gpi[1] = 1 at 0 ms\n"));
+  const ProcessResult wrong =
+      ExecSum("until_ms = 5\n[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [0, 10]\n");
+  EXPECT_NE(wrong.exit_code, 0);
+  EXPECT_THAT(wrong.err, HasSubstr("gpi[1] comes from 0 to 10 ms, and the run ends at 5 ms"));
+}
+
 }  // namespace
 }  // namespace oncard::tools

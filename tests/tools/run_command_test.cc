@@ -455,5 +455,63 @@ TEST(RunSteps, AReplayShowsTheSame) {
   EXPECT_EQ(scratch.Read("b.csv"), scratch.Read("a.csv"));
 }
 
+// --- Choices -------------------------------------------------------------------------------------
+
+constexpr const char* kOpen =
+    "int n;\n//@ input: n = 3..9\n//@ always: n >= 3\nint t0()\n{\n  return n;\n}\n";
+
+TEST(RunChoices, TheSmallestIsTakenAndSaid) {
+  const ScratchFolder scratch;
+  const std::string program = scratch.Write("p.c", kOpen);
+  const ProcessResult run = RunOncard({"run", program});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "choice: n = 3\nthread 0 t0: finished, result 3\nn = 3\n");
+  EXPECT_THAT(RunOncard({"--lang=zh", "run", program}).out, testing::StartsWith("选择：n = 3\n"));
+  EXPECT_EQ(Json::parse(RunOncard({"run", program, "--format=json"}).out)["choice"], "n = 3");
+}
+
+TEST(RunChoices, ASeedDrawsOthers) {
+  const ScratchFolder scratch;
+  const std::string program = scratch.Write("p.c", kOpen);
+  bool other = false;
+  for (int seed = 1; seed <= 10; ++seed) {
+    const Json json = Json::parse(
+        RunOncard({"run", program, "--seed", std::to_string(seed), "--format=json"}).out);
+    EXPECT_EQ(json["choice"], "n = " + json["values"]["n"].dump());
+    other = other || json["values"]["n"] != 3;
+  }
+  EXPECT_TRUE(other);
+  const ProcessResult none = RunOncard({"run", kSum, "--seed", "1"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("remove the seed"));
+}
+
+TEST(RunChoices, WhatIsSetIsNoChoice) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(RunOncard({"run", scratch.Write("p.c", kOpen), "--set", "n=7"}).out,
+            "thread 0 t0: finished, result 7\nn = 7\n");
+}
+
+TEST(RunChoices, ARecordingHasWhatWasChosen) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kOpen);
+  const ProcessResult run =
+      RunOncard({"run", "p.c", "--seed", "2", "--record", "r.schedule"}, scratch.path());
+  const ProcessResult replay = RunOncard({"replay", "r.schedule"}, scratch.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_THAT(run.out, testing::EndsWith('\n' + replay.out));
+  EXPECT_THAT(scratch.Read("r.schedule"), testing::Not(HasSubstr("any")));
+}
+
+TEST(RunChoices, ATestSaysWhichCaseItRan) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kOpen);
+  scratch.Write("s.toml",
+                "program = \"p.c\"\nexpect = [\"n == 4\"]\nglobals = { n = { any = [4, 5] } }\n");
+  const ProcessResult test = RunOncard({"test", "s.toml"}, scratch.path());
+  EXPECT_EQ(test.exit_code, 0) << test.out;
+  EXPECT_THAT(test.out + test.err, HasSubstr("choice: n = 4"));
+}
+
 }  // namespace
 }  // namespace oncard::tools

@@ -48,6 +48,7 @@ async function open(
     const loaded = await engine.load({ main: program, structured }, options);
     for (const each of loaded.diagnostics) editor.showDiagnostic(each);
     if (!loaded.compiled) throw notCompiled(loaded, program);
+    if (loaded.choice) showChoice(loaded.choice, editor);
     const code = new Code(loaded.files, await engine.listing());
     const known = loaded.state.host ?? code.beginning(stopAtFunction ?? "");
     if (stopAtFunction !== undefined && !known) {
@@ -62,6 +63,11 @@ async function open(
     engine.close();
     throw error;
   }
+}
+
+/** Of a scenario that leaves something open one case is debugged. */
+function showChoice(choice: string, editor: Editor): void {
+  editor.print(`${editor.say({ en: `choice: ${choice}`, zh: `选择：${choice}` })}\n`, "console");
 }
 
 /** What the engine says without having been asked. */

@@ -37,6 +37,14 @@ test("the capabilities are those with tests", async () => {
   expect(Object.keys(capabilities).sort()).toEqual(Object.values(tested).flat().sort());
 });
 
+test("the case of a scenario with choices is said", async () => {
+  const scenario = 'program = "p.c"\nglobals = { x = { any = [3, 5] } }\n';
+  const folder = folderOf({ "p.c": program, "s.toml": scenario });
+  const editor = await openEditor();
+  await editor.launch(join(folder, "s.toml"));
+  expect(editor.output).toContain("choice: x = 3\n");
+});
+
 describe("where oncard is looked for", () => {
   test("first in the launch configuration", async () => {
     const editor = await openEditor({ ...process.env, ONCARD: "/nowhere/oncard" });

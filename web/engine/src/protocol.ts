@@ -28,6 +28,10 @@ export type Loaded =
        * Of the record of a host.
        */
       cards?: RecordedCard[];
+      /**
+       * As of a whole run: the first case is loaded.
+       */
+      choice?: string;
       state: State;
     };
 /**
@@ -657,6 +661,10 @@ export interface RunAnswer {
  * The result of a whole run, as `oncard run --format=json` writes it.
  */
 export interface Run {
+  /**
+   * What was chosen, if the scenario leaves something open.
+   */
+  choice?: string;
   passed: boolean;
   end: "quiet" | "until" | "time-limit" | "deadlock" | "schedule-end" | "diverged" | "interrupted";
   time_ms: number;
