@@ -1,5 +1,6 @@
 #include "explore/engines/first_look.h"
 
+#include <algorithm>
 #include <bit>
 #include <memory>
 #include <utility>
@@ -61,25 +62,32 @@ FirstLook LookAtThreadsInTurn(CardModel* model, const std::atomic<bool>* stop) {
   return {{}, false, std::move(failure)};
 }
 
+/// The share of a case.
+uint32_t StatesFor(uint32_t states, int64_t cases) {
+  return static_cast<uint32_t>(std::max<int64_t>(states / cases, 1));
+}
+
 SampleOptions Sampling(int64_t statements, const std::atomic<bool>* stop) {
   return {.kind = SamplerKind::kPct, .all_statements = statements, .until_bad = true, .stop = stop};
 }
 
 }  // namespace
 
-FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop) {
+FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop, int64_t cases) {
   if (problem.races == RaceRule::kBenign) return {};
-  BoundedCounts few = SearchBounded(problem, {.state_limit = kProgramStates, .stop = stop});
+  BoundedCounts few =
+      SearchBounded(problem, {.state_limit = StatesFor(kProgramStates, cases), .stop = stop});
   if (few.bad) return {std::move(few.failing), problem.races == RaceRule::kAny};
-  return {Sample(problem, Sampling(kProgramStatements, stop)).failing, false};
+  return {Sample(problem, Sampling(kProgramStatements / cases, stop)).failing, false};
 }
 
-FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop) {
+FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop, int64_t cases) {
   FirstLook in_turn = LookAtThreadsInTurn(model, stop);
   if (in_turn.found()) return in_turn;
-  BoundedCounts few = SearchCardBounded(model, {.state_limit = kCardStates, .stop = stop});
+  BoundedCounts few =
+      SearchCardBounded(model, {.state_limit = StatesFor(kCardStates, cases), .stop = stop});
   if (few.bad) return {std::move(few.failing), true};
-  return {SampleCard(model, Sampling(kCardStatements, stop)).failing, false};
+  return {SampleCard(model, Sampling(kCardStatements / cases, stop)).failing, false};
 }
 
 }  // namespace oncard::explore

@@ -29,9 +29,10 @@ struct FirstLook {
 };
 
 /// `stop` as for BoundedOptions. Only the graph of all states can judge benign races: with
-/// RaceRule::kBenign nothing is searched.
-FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop);
+/// RaceRule::kBenign nothing is searched. The limits are divided by the number of `cases` that are
+/// each looked at.
+FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop, int64_t cases = 1);
 /// The same with a card.
-FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop);
+FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop, int64_t cases = 1);
 
 }  // namespace oncard::explore

@@ -21,16 +21,6 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
-/// Why a search is incomplete: it was stopped, or reached this limit.
-Message WhyIncomplete(const ExploreOptions& options, Message limit) {
-  if (options.progress != nullptr && options.progress->stop) {
-    if (options.progress->out_of_memory) return {"the memory limit was reached", "内存已到上限"};
-    return options.progress->out_of_time ? Message{"the time limit was reached", "时间已到"}
-                                         : Message{"it was interrupted", "已中断"};
-  }
-  return limit;
-}
-
 /// Empty for engines that search.
 std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
   SampleOptions sampling = {.runs = options.runs,
@@ -75,8 +65,7 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
     exploration.verdict = Verdict::kFailed;
   } else if (bounded.complete) {
     exploration.verdict = Verdict::kPassed;
-    exploration.why = MakeMessage("no schedule with at most {0} preemptions fails",
-                                  "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
+    exploration.why = DescribeBound(bounded);
   } else {
     exploration.why =
         WhyIncomplete(options, MakeMessage("a limit was reached: {0} states, or {1} "
@@ -188,11 +177,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   } else if (complete) {
     exploration.verdict = Verdict::kProved;
   } else {
-    exploration.why = WhyIncomplete(
-        options, MakeMessage("a limit was reached: {0} executions, {1} states, or {2} "
-                             "statements in one execution",
-                             "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句",
-                             options.execution_limit, options.state_limit, options.depth_limit));
+    exploration.why = WhyIncomplete(options, DescribeLimits(options));
   }
   if (traces) exploration.search = std::move(*traces);
   return exploration;
@@ -215,14 +200,38 @@ std::string_view VerdictName(Verdict verdict) {
   return runtime::kVerdictNames[static_cast<size_t>(verdict)];
 }
 
+Message WhyIncomplete(const ExploreOptions& options, Message limit) {
+  if (options.progress != nullptr && options.progress->stop) {
+    if (options.progress->out_of_memory) return {"the memory limit was reached", "内存已到上限"};
+    return options.progress->out_of_time ? Message{"the time limit was reached", "时间已到"}
+                                         : Message{"it was interrupted", "已中断"};
+  }
+  return limit;
+}
+
+Message DescribeSamples(const SampleCounts& samples) {
+  return MakeMessage("none of {0} random schedules fails; others were not tried",
+                     "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
+}
+
+Message DescribeBound(const BoundedCounts& bounded) {
+  return MakeMessage("no schedule with at most {0} preemptions fails",
+                     "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
+}
+
+Message DescribeLimits(const ExploreOptions& options) {
+  return MakeMessage(
+      "a limit was reached: {0} executions, {1} states, or {2} statements in one "
+      "execution",
+      "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
+      options.state_limit, options.depth_limit);
+}
+
 Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   Exploration exploration;
   exploration.engine = engine;
   exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
-  if (samples.bad == 0) {
-    exploration.why = MakeMessage("none of {0} random schedules fails; others were not tried",
-                                  "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
-  }
+  if (samples.bad == 0) exploration.why = DescribeSamples(samples);
   exploration.ends = samples.values.ends();
   exploration.samples = std::move(samples);
   return exploration;
@@ -302,7 +311,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   }
   FirstLook look;
   if (options.engine == EngineKind::kAuto && !options.all && options.begun == nullptr) {
-    look = LookFirst(problem, StopOf(options));
+    look = LookFirst(problem, StopOf(options), options.cases);
   }
   const bool paired = engine == EngineKind::kAuto;
   std::optional<TraceSearch> traces;
@@ -363,7 +372,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   }
   FirstLook look;
   if (options.engine == EngineKind::kAuto && !options.all) {
-    look = LookFirstAtCard(model, StopOf(options));
+    look = LookFirstAtCard(model, StopOf(options), options.cases);
   }
   StateLimits limits = StatesOf(options, StopOf(options));
   limits.states_after_bad = AftermathOf(options).card_states;

@@ -70,6 +70,8 @@ struct ExploreOptions {
   /// Continues the search to its end after the first failure, so that all are counted. Otherwise it
   /// continues for a limited time, which is enough for complete counts of a small program.
   bool all = false;
+  /// kAuto: the first look is divided among so many searches.
+  int64_t cases = 1;
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // For the engines with random schedules.
   int64_t runs = SampleOptions{}.runs;
@@ -107,6 +109,15 @@ struct Exploration {
 
 /// The verdict of random schedules; the caller fills in the failure.
 Exploration ConcludeSamples(EngineKind engine, SampleCounts samples);
+
+/// Why a search is incomplete: it was stopped, or reached this limit.
+Message WhyIncomplete(const ExploreOptions& options, Message limit);
+/// What random schedules have shown that found no failure.
+Message DescribeSamples(const SampleCounts& samples);
+/// The same for a search with few preemptions.
+Message DescribeBound(const BoundedCounts& bounded);
+/// The limits of a search of all schedules.
+Message DescribeLimits(const ExploreOptions& options);
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);

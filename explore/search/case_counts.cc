@@ -1,0 +1,118 @@
+#include "explore/search/case_counts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace oncard::explore {
+namespace {
+
+/// From the strongest to the weakest, for what all cases are to fulfil.
+int WeaknessOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kProved:
+      return 0;
+    case Verdict::kPassed:
+      return 1;
+    case Verdict::kIncomplete:
+      return 2;
+    case Verdict::kFailed:
+      break;
+  }
+  return 3;
+}
+
+void Add(const TraceCounts& next, TraceCounts* all) {
+  all->executions += next.executions;
+  all->blocked += next.blocked;
+  all->redundant += next.redundant;
+  all->bad_traces += next.bad_traces;
+  all->final_globals += next.final_globals;
+  all->final_full += next.final_full;
+  all->complete = all->complete && next.complete;
+  all->counted = all->counted || next.counted;
+}
+
+void Add(const StateCounts& next, StateCounts* all) {
+  all->states += next.states;
+  all->transitions += next.transitions;
+  all->bad_states += next.bad_states;
+  all->final_globals += next.final_globals;
+  all->final_full += next.final_full;
+  all->finals_within.resize(std::max(all->finals_within.size(), next.finals_within.size()));
+  for (size_t i = 0; i < next.finals_within.size(); ++i) {
+    all->finals_within[i] += next.finals_within[i];
+  }
+  all->complete = all->complete && next.complete;
+}
+
+void Add(const BoundedCounts& next, BoundedCounts* all) {
+  all->preemptions = std::min(all->preemptions, next.preemptions);
+  all->states += next.states;
+  all->different_ends += next.different_ends;
+  all->bad = all->bad || next.bad;
+  all->complete = all->complete && next.complete;
+}
+
+void Add(const SampleCounts& next, SampleCounts* all) { MergeInto(all, next); }
+
+/// Counts that an engine may have left out.
+template <typename Counts>
+void AddSome(const std::optional<Counts>& next, std::optional<Counts>* all) {
+  if (!next) return;
+  if (*all) {
+    Add(*next, &**all);
+  } else {
+    *all = next;
+  }
+}
+
+/// Each race once; harmless if it is so in every case.
+void AddRaces(const std::vector<FoundRace>& next, std::vector<FoundRace>* all) {
+  for (const FoundRace& found : next) {
+    const auto known = std::ranges::find(*all, found.race, &FoundRace::race);
+    if (known == all->end()) {
+      all->push_back(found);
+    } else {
+      known->benign = known->benign && found.benign;
+    }
+  }
+}
+
+}  // namespace
+
+int64_t ExecutionsUsed(const Exploration& exploration) {
+  const auto& traces = exploration.traces;
+  return traces && !traces->counted ? traces->executions : 0;
+}
+
+int64_t StatesUsed(const Exploration& exploration) {
+  int64_t states = 0;
+  if (exploration.states) states += exploration.states->states;
+  if (exploration.bounded) states += exploration.bounded->states;
+  return states;
+}
+
+void AddCase(Exploration next, Exploration* all) {
+  AddSome(next.traces, &all->traces);
+  AddSome(next.states, &all->states);
+  AddSome(next.bounded, &all->bounded);
+  AddSome(next.samples, &all->samples);
+  AddRaces(next.races, &all->races);
+  EndSet ends;
+  for (std::vector<End>* some : {&all->ends, &next.ends}) {
+    for (End& end : *some) ends.Add(std::move(end));
+  }
+  all->ends = ends.ends();
+  all->paired = all->paired || next.paired;
+  all->merged = all->merged || next.merged;
+  all->horizon.axes |= next.horizon.axes;
+  all->horizon.threads |= next.horizon.threads;
+  if (next.horizon.at_ms) all->horizon.at_ms = next.horizon.at_ms;
+  if (WeaknessOf(next.verdict) > WeaknessOf(all->verdict)) {
+    all->verdict = next.verdict;
+    all->why = std::move(next.why);
+  }
+  if (!all->failure) all->failure = std::move(next.failure);
+}
+
+}  // namespace oncard::explore
