@@ -15,7 +15,8 @@
 
 namespace oncard::explore {
 
-/// A program that was explored, and what was asked about it.
+/// A program that was explored, and what was asked about it. Of a scenario with choices the files
+/// have the values of the case that failed.
 struct Explored {
   const runtime::Scenario& scenario;
   /// Those of the scenario, or of the source's comments.

@@ -7,9 +7,11 @@
 #include <filesystem>
 
 #include "base/path_bytes.h"
+#include "explore/case_exploration.h"
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
 #include "runtime/scenario/run/adapted_schedule.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "runtime/scenario/run/scenario_run.h"
@@ -231,6 +233,14 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,
                                 const vm::Schedule& schedule) {
+  const auto choices = runtime::Choices::Of(scenario);
+  if (!choices.ok()) return choices.error();
+  if (!choices.value().empty()) {
+    return MakeError(1,
+                     "a schedule is followed in one case, and the scenario leaves choices open: "
+                     "write values in their place",
+                     "跟随一个调度只对应一种情形，而场景留有选择：应写入确定的值");
+  }
   const auto explore = [&](const Subject& subject, const auto& follow) -> Result<Exploration> {
     auto adapted = runtime::AdaptSchedule(scenario, object, source, schedule);
     if (!adapted.ok()) return adapted.error();
@@ -280,8 +290,8 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
 }
 
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
-                                 const std::vector<Requirement>& requirements, vm::Object object,
-                                 const ExploreOptions& options) {
+                                 const std::vector<Requirement>& requirements,
+                                 const vm::Object& object, const ExploreOptions& options) {
   if (!scenario.host.empty()) {
     return MakeError(1,
                      "a scenario with host events cannot be explored: start the threads with the "
@@ -293,9 +303,19 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
     clashes.Add(place, std::move(why));
   }
   if (auto failure = clashes.Failure()) return *std::move(failure);
-  return runtime::NeedsCard(scenario, object)
-             ? ExploreWithCard(scenario, requirements, std::move(object), options)
-             : ExploreProgram(scenario, requirements, std::move(object), options);
+  const auto choices = runtime::Choices::Of(scenario);
+  if (!choices.ok()) return choices.error();
+  const auto explore = [&](const runtime::Scenario& chosen, const ExploreOptions& chosen_options) {
+    return runtime::NeedsCard(chosen, object)
+               ? ExploreWithCard(chosen, requirements, object, chosen_options)
+               : ExploreProgram(chosen, requirements, object, chosen_options);
+  };
+  if (choices.value().empty()) return explore(scenario, options);
+  // Every case must fit the program before the first one is searched.
+  if (auto fits = runtime::CheckScenario(scenario, object); !fits.ok()) return fits.error();
+  auto findings = ExploreCases(scenario, choices.value(), options, explore);
+  if (findings.ok()) Describe(scenario, &findings.value().subject);
+  return findings;
 }
 
 Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,

@@ -44,18 +44,19 @@ void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& op
 
 /// Checks only one schedule: follows it as far as the current program can
 /// (runtime/scenario/run/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if
-/// the run does not end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
+/// the run does not end. Fails as ExploreScenario(), for a scenario with choices, and when the
+/// schedule cannot be adapted.
 Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,
                                 const vm::Schedule& schedule);
 
-/// Explores the scenario with its expectations and the requirements; the caller fills in
-/// Findings::source. Fails if the scenario does not fit the program or has host events, or if a
-/// requirement is invalid.
+/// Explores the scenario, in every case of its choices, with its expectations and the requirements;
+/// the caller fills in Findings::source. Fails if the scenario does not fit the program or has host
+/// events, if a requirement is invalid, or as Choices::Of().
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
-                                 const std::vector<Requirement>& requirements, vm::Object object,
-                                 const ExploreOptions& options);
+                                 const std::vector<Requirement>& requirements,
+                                 const vm::Object& object, const ExploreOptions& options);
 
 /// Explores a scenario according to its key `explore`. `progress` can stop it.
 Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,

@@ -6,6 +6,7 @@
 #include "compiler/text.h"
 #include "explore/scenario_exploration.h"
 #include "explore/search/search_check.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::tools {
@@ -24,6 +25,15 @@ Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
         1,
         "the search of a program with its card cannot be saved or split: explore it in one piece",
         "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
+  }
+  const auto choices = runtime::Choices::Of(subject.scenario);
+  if (!choices.ok()) return choices.error();
+  if (!choices.value().empty()) {
+    return MakeError(
+        1,
+        "the search of all cases of choices cannot be saved or split: explore it in one "
+        "piece",
+        "对所有选择的搜索不能保存或拆分：请一次完成探索");
   }
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
 }

@@ -25,6 +25,12 @@ Message ProgressText(const explore::SearchProgress& progress, double seconds) {
     text.en += of_states.en;
     text.zh += of_states.zh;
   }
+  if (const int64_t cases = progress.cases; cases > 0) {
+    const int64_t present = progress.cases_done + 1;
+    const Message of_cases =
+        MakeMessage("case {0} of {1}: ", "第 {0} 种情形，共 {1} 种：", present, cases);
+    text = {of_cases.en + text.en, of_cases.zh + text.zh};
+  }
   text.en += fmt::format("; {:.2g} per second", static_cast<double>(executions + states) / seconds);
   text.zh += fmt::format("；每秒 {:.2g}", static_cast<double>(executions + states) / seconds);
   return text;

@@ -62,7 +62,7 @@ int UnnamedSearch::End(const explore::Exploration& found, bool interrupted) {
   const bool incomplete = found.verdict == explore::Verdict::kIncomplete;
   const bool left =
       found.traces && !found.traces->complete && found.verdict != explore::Verdict::kProved;
-  if (left && (interrupted || (incomplete && kept_))) return Keep(found.search);
+  if (file_ && left && (interrupted || (incomplete && kept_))) return Keep(found.search);
   if (interrupted && incomplete && why_not_) {
     const Message text = MakeMessage("oncard: the search could not be saved: {0}\n",
                                      "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);

@@ -35,6 +35,8 @@ struct SearchProgress {
   /// Set before the search: it first estimates how many executions there are.
   bool estimates = false;
   // Set by the search.
+  std::atomic<int64_t> cases{0};  ///< of the scenario's choices; 0: it has none
+  std::atomic<int64_t> cases_done{0};
   std::atomic<int64_t> executions{0};  ///< executions of the dpor engine, or random runs
   std::atomic<int64_t> states{0};
   std::atomic<int64_t> frontier{0};  ///< states some of whose successors are unknown

@@ -157,6 +157,24 @@ ClaimEntry Program(const Subject& subject) {
   return entry;
 }
 
+/// What was chosen from, and how far.
+ClaimEntry Cases(const Findings& findings) {
+  ClaimEntry entry = {{"cases", "情形"}, {}};
+  if (!findings.cases) return entry;
+  const CaseSearch& search = *findings.cases;
+  Message choices;
+  for (const Message& choice : search.choices) {
+    choices.en += (choices.en.empty() ? "" : ", ") + choice.en;
+    choices.zh += (choices.zh.empty() ? "" : "，") + choice.zh;
+  }
+  entry.lines.push_back(MakeMessage("for every choice of: {0}: {1} cases",
+                                    "对以下各项的每种选择：{2}：共 {1} 种情形", choices.en,
+                                    search.cases, choices.zh));
+  entry.lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
+                                    "计数为前 {0} 种情形之和", search.searched));
+  return entry;
+}
+
 uint64_t HashOfWorld(const CardConditions& card) {
   const std::string text = runtime::FormatWorld(card.world, card.axis_count);
   return XXH64(text.data(), text.size(), 0);
@@ -246,8 +264,9 @@ ClaimEntry Bounds(const Findings& findings) {
 }
 
 std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
-  std::vector<ClaimEntry> entries = {Asked(findings), NotAsked(findings), Program(findings.subject),
-                                     Assumptions(findings), Bounds(findings)};
+  std::vector<ClaimEntry> entries = {Asked(findings),           NotAsked(findings),
+                                     Program(findings.subject), Cases(findings),
+                                     Assumptions(findings),     Bounds(findings)};
   const Exploration& exploration = findings.exploration;
   const EngineKind engine = exploration.paired ? EngineKind::kAuto : exploration.engine;
   entries.push_back({{"by", "工具"},
@@ -446,6 +465,11 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     program["threads"].push_back({{"thread", setup.thread},
                                   {"function", subject.image->object.functions[function].name},
                                   {"page", setup.page}});
+  }
+  if (const auto& search = findings.cases) {
+    for (const Message& choice : search->choices) (*json)["choices"].push_back(choice.en);
+    (*json)["cases"] = search->cases;
+    (*json)["cases_searched"] = search->searched;
   }
   auto& assumptions = (*json)["assumptions"];
   assumptions["card"] = subject.card.has_value();

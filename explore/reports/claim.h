@@ -19,8 +19,9 @@ std::string ClaimText(const Findings& findings, Language language);
 std::string ClaimHtml(const Findings& findings, Language language);
 
 /// Adds `asked` (`requirements`, `faults`, `endless` of such a program, `deadlock`, `livelock`,
-/// `limit`, `races`), `program`, `assumptions`, `bounds` and `oncard`, the version; if there were
-/// no requirements on results, also `results` and `ask`, a requirement to paste.
+/// `limit`, `races`), `program`, of a scenario with choices `choices`, `cases` and
+/// `cases_searched`, `assumptions`, `bounds` and `oncard`, the version; if there were no
+/// requirements on results, also `results` and `ask`, a requirement to paste.
 void AddClaim(const Findings& findings, nlohmann::ordered_json* json);
 
 }  // namespace oncard::explore

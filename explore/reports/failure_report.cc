@@ -107,6 +107,10 @@ std::string SummaryOf(const Findings& findings, const Failure& failure,
     wrong.zh += "：" + trail.actual.zh;
   }
   std::string text = wrong.In(language) + '\n';
+  if (const auto& cases = findings.cases) {
+    AddLine(MakeMessage("choice: {0}", "选择：{1}", cases->failing.en, cases->failing.zh), language,
+            &text);
+  }
   if (culprit) {
     AddLine(culprit->sentence, language, &text);
     AddLine(DescribeSplit(findings, *culprit), language, &text);
@@ -236,6 +240,7 @@ nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
 }
 
 void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json) {
+  if (findings.cases) (*json)["choice"] = findings.cases->failing.en;
   (*json)["reason"] = DescribeFault(findings.subject, failure).en;
   const Trail& trail = findings.trail;
   if (!trail.actual.en.empty()) (*json)["actual"] = trail.actual.en;

@@ -72,6 +72,10 @@ std::string LastingCountsText(const Findings& findings, Language language) {
   if (!exploration.paired || exploration.verdict == Verdict::kIncomplete) {
     return CountsText(findings, language);
   }
+  // Of several cases, those without a failure ended as the clock has it.
+  if (const auto& cases = findings.cases) {
+    return MakeMessage("auto: {0} cases", "auto：{0} 种情形", cases->searched).In(language) + '\n';
+  }
   const StateCounts& states = *exploration.states;
   if (exploration.failure) return CountsOf(states).In(language) + '\n';
   const int64_t ends = states.complete ? states.final_full : exploration.traces->final_full;

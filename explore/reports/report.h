@@ -4,6 +4,7 @@
 // and tests/tools/explore_command_test.cc.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,12 +16,24 @@
 #include "explore/reports/trail.h"
 #include "explore/search/explorer.h"
 #include "runtime/observe/supervisor.h"
+#include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/schedule.h"
 
 namespace oncard::explore {
 
-/// Everything that a report is made from.
+/// A search of all cases of a scenario's choices (runtime/scenario/run/choices.h).
+struct CaseSearch {
+  std::vector<Message> choices;  ///< `gpi[1] at 10..40 ms (121 instants)`
+  int64_t cases = 0;
+  int64_t searched = 0;  ///< from the first one on, the last one perhaps in part
+  // Of the case that failed:
+  Message failing;  ///< what was chosen
+  std::shared_ptr<const runtime::Scenario> scenario;
+};
+
+/// Everything that a report is made from. With `cases` the counts are sums over those that were
+/// searched.
 struct Findings {
   Subject subject;
   Exploration exploration;
@@ -32,6 +45,7 @@ struct Findings {
   std::vector<Message> untested = {};
   /// What the supervisor has found in some explored schedule.
   std::vector<runtime::CardFinding> card = {};
+  std::optional<CaseSearch> cases = {};
   // Only if there are no requirements on results:
   End start = {};  ///< the values before the first statement
   std::optional<End> serial_end =

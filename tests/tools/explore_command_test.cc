@@ -337,5 +337,46 @@ TEST(Explore, TheScheduleWithACardReplays) {
   EXPECT_THAT(replay.out, HasSubstr("axis1.moving == 0 @ 100ms"));
 }
 
+// --- Choices -------------------------------------------------------------------------------------
+
+/// An input that comes while a thread waits; it is seen when it has passed its filter.
+constexpr const char* kLate =
+    "program = \"p.c\"\neventually = [\"gpi[1] == 1 && clock < 4.5\"]\n[[thread]]\nfunction = "
+    "\"t0\"\n[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [2, 6]\n";
+
+TEST(ExploreChoices, AFailureIsSavedAndReplayedWithItsChoice) {
+  const ScratchFolder scratch;
+  const auto run = [&](std::vector<std::string> arguments) {
+    return RunOncard(arguments, scratch.path());
+  };
+  scratch.Write("p.c", "int t0()\n{\n  GT_Delay(10);\n  return 0;\n}\n");
+  scratch.Write("s.toml", kLate);
+  const ProcessResult found =
+      run({"explore", "s.toml", "--save", "f.schedule", "--regression", "r.toml", "--format=json"});
+  EXPECT_EQ(found.exit_code, 1) << found.err;
+  const Json json = Json::parse(found.out);
+  const std::string choice = json["choice"];
+  EXPECT_THAT(choice, StartsWith("gpi[1] = 1 at "));
+  EXPECT_EQ(json["cases"], 17);
+  // Only the choice is bad, so every schedule of this case is.
+  const std::string ms = choice.substr(std::string("gpi[1] = 1 at ").size());
+  EXPECT_THAT(scratch.Read("r.toml"), HasSubstr("at_ms = " + ms.substr(0, ms.find(' ')) + '\n'));
+  EXPECT_EQ(run({"replay", "f.schedule"}).exit_code, 1);
+  EXPECT_EQ(run({"test", "r.toml"}).exit_code, 1);
+}
+
+TEST(ExploreChoices, CannotBeKeptInFiles) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int g;\n//@ input: g = 0..3\nint t0()\n{\n  g = g + 1;\n  return 0;\n}\n");
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--search", "s.search"}, {"--shard", "1/2"}}) {
+    std::vector<std::string> arguments = {"explore", "p.c"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = RunOncard(arguments, scratch.path());
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("explore it in one piece"));
+  }
+}
+
 }  // namespace
 }  // namespace oncard::tools

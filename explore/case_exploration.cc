@@ -1,0 +1,189 @@
+#include "explore/case_exploration.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "explore/search/case_counts.h"
+
+namespace oncard::explore {
+namespace {
+
+bool TriesRandomSchedules(EngineKind engine) {
+  return engine == EngineKind::kRandom || engine == EngineKind::kPct || engine == EngineKind::kPos;
+}
+
+bool IsSamePlace(const runtime::CommandPlace& a, const runtime::CommandPlace& b) {
+  return a.function == b.function && a.file == b.file && a.line == b.line && a.call == b.call;
+}
+bool IsSame(const runtime::RefusedCommand& a, const runtime::RefusedCommand& b) {
+  return IsSamePlace(a.place, b.place) && a.call.en == b.call.en;
+}
+bool IsSame(const runtime::CardFinding& a, const runtime::CardFinding& b) {
+  return IsSamePlace(a.place, b.place) && a.text.en == b.text.en;
+}
+
+/// What was found in a place of the program, each place once.
+template <typename Found>
+void JoinFound(std::vector<Found> next, std::vector<Found>* all) {
+  for (Found& found : next) {
+    const auto known =
+        std::ranges::find_if(*all, [&](const Found& other) { return IsSame(other, found); });
+    if (known == all->end()) {
+      all->push_back(std::move(found));
+    } else {
+      known->first_us = std::min(known->first_us, found.first_us);
+      known->count += found.count;
+    }
+  }
+}
+
+/// What no case has put to the test.
+class UntestedEverywhere {
+ public:
+  void Add(const std::vector<Message>& untested) {
+    if (fewest_ == kNone) common_ = first_ = untested;
+    fewest_ = std::min(fewest_, untested.size());
+    std::erase_if(common_, [&](const Message& text) {
+      return std::ranges::find(untested, text.en, &Message::en) == untested.end();
+    });
+  }
+
+  /// A text can differ from case to case: an event that always comes too late comes at another
+  /// instant. If each case has such a text, that of the first one stands for all.
+  std::vector<Message> Texts() const { return fewest_ > common_.size() ? first_ : common_; }
+
+ private:
+  static constexpr size_t kNone = SIZE_MAX;
+
+  std::vector<Message> common_;
+  std::vector<Message> first_;
+  size_t fewest_ = kNone;  ///< texts of a case
+};
+
+class CaseExploration {
+ public:
+  CaseExploration(const runtime::Choices& choices, const ExploreOptions& options)
+      : choices_(choices), options_(options), cases_(choices.cases()) {
+    search_.choices = choices.Describe();
+    search_.cases = cases_;
+  }
+
+  Result<Findings> Explore(const runtime::Scenario& scenario, const CaseExplorer& explore) {
+    if (TriesRandomSchedules(options_.engine) && options_.runs < cases_) {
+      return MakeError(1,
+                       "{0} random runs are not enough for {1} cases of the choices: ask for at "
+                       "least one run for each",
+                       "{0} 次随机运行不足以覆盖 {1} 种情形：每种情形至少需要一次", options_.runs,
+                       cases_);
+    }
+    ShowProgress(cases_);
+    for (; search_.searched < cases_ && GoesOn(); ++search_.searched) {
+      if (options_.progress != nullptr) options_.progress->cases_done = search_.searched;
+      auto chosen =
+          std::make_shared<const runtime::Scenario>(choices_.CaseOf(scenario, search_.searched));
+      auto next = explore(*chosen, OptionsOfCase());
+      if (!next.ok()) return next;
+      Join(std::move(next).value(), std::move(chosen));
+    }
+    Conclude();
+    return std::move(*all_);
+  }
+
+ private:
+  /// An estimate of one case says nothing of the whole.
+  void ShowProgress(int64_t cases) {
+    if (options_.progress == nullptr) return;
+    options_.progress->estimates = false;
+    options_.progress->cases = cases;
+  }
+
+  bool GoesOn() const {
+    if (!all_) return true;
+    const Exploration& exploration = all_->exploration;
+    if (exploration.failure && !options_.all) return false;
+    if (options_.progress != nullptr && IsTold(&options_.progress->stop)) return false;
+    return ExecutionsUsed(exploration) < options_.execution_limit &&
+           StatesUsed(exploration) < int64_t{options_.state_limit};
+  }
+
+  /// What is left of the limits, and the share of a case in the random runs.
+  ExploreOptions OptionsOfCase() const {
+    ExploreOptions options = options_;
+    options.cases = cases_;
+    if (all_) {
+      options.state_limit -= static_cast<uint32_t>(StatesUsed(all_->exploration));
+      // A limit that is not below its default lets traces be counted without executing each.
+      if (options.execution_limit < ExploreOptions{}.execution_limit) {
+        options.execution_limit -= ExecutionsUsed(all_->exploration);
+      }
+    }
+    if (TriesRandomSchedules(options.engine)) {
+      const int64_t before = options.runs / cases_ * search_.searched +
+                             std::min(search_.searched, options.runs % cases_);
+      const int64_t more = search_.searched < options.runs % cases_ ? 1 : 0;
+      options.first_run += before;
+      options.runs = options.runs / cases_ + more;
+    }
+    return options;
+  }
+
+  void Join(Findings next, std::shared_ptr<const runtime::Scenario> chosen) {
+    untested_.Add(next.untested);
+    const bool fails = next.exploration.failure.has_value();
+    auto other = std::make_unique<Findings>(std::move(next));
+    // What is shown is the case of the failure, otherwise the first one.
+    const bool is_shown = all_ == nullptr || (fails && search_.scenario == nullptr);
+    if (is_shown) all_.swap(other);
+    if (fails && is_shown) {
+      search_.failing = choices_.DescribeCase(search_.searched);
+      search_.scenario = std::move(chosen);
+    }
+    if (other == nullptr) return;
+    AddCase(std::move(other->exploration), &all_->exploration);
+    JoinFound(std::move(other->refused), &all_->refused);
+    JoinFound(std::move(other->card), &all_->card);
+  }
+
+  /// The verdict of all cases, and why it is no proof.
+  void Conclude() {
+    Exploration& exploration = all_->exploration;
+    if (!exploration.failure && search_.searched < cases_) {
+      exploration.verdict = Verdict::kIncomplete;
+    }
+    if (exploration.verdict == Verdict::kIncomplete) {
+      const Message why = WhyIncomplete(options_, DescribeLimits(options_));
+      exploration.why =
+          MakeMessage("{0}; {1} of {2} cases were begun", "{3}；共 {2} 种情形，已开始 {1} 种",
+                      why.en, search_.searched, cases_, why.zh);
+    } else if (exploration.verdict == Verdict::kPassed) {
+      exploration.why = {};
+      if (exploration.bounded) exploration.why = DescribeBound(*exploration.bounded);
+      if (exploration.samples) {
+        exploration.why = DescribeSamples(*exploration.samples);
+      }
+      BoundByHorizon(Horizon(exploration.horizon), &exploration);
+    }
+    const bool good =
+        exploration.verdict == Verdict::kProved || exploration.verdict == Verdict::kPassed;
+    all_->untested = good ? untested_.Texts() : std::vector<Message>();
+    all_->cases = std::move(search_);
+  }
+
+  const runtime::Choices& choices_;
+  const ExploreOptions& options_;
+  const int64_t cases_;
+  CaseSearch search_;
+  std::unique_ptr<Findings> all_;  ///< of the cases so far
+  UntestedEverywhere untested_;
+};
+
+}  // namespace
+
+Result<Findings> ExploreCases(const runtime::Scenario& scenario, const runtime::Choices& choices,
+                              const ExploreOptions& options, const CaseExplorer& explore) {
+  return CaseExploration(choices, options).Explore(scenario, explore);
+}
+
+}  // namespace oncard::explore
