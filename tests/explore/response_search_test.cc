@@ -482,6 +482,29 @@ TEST(ResponseSearch, APollingLoopHasFinitelyManyStates) {
       states("within = [{ after = \"gpi[1] == 1\", then = \"answer == 1\", ms = 0 }]\n").second, 1);
 }
 
+TEST(ResponseSearch, RandomSchedulesAreFollowedToTheirEnds) {
+  // t1 takes the answer back if it comes last; on the card each thread waits for 1 ms first.
+  const auto source = [](const char* waits) {
+    return fmt::format(
+        "int a, b;\nint t0() {{\n{0}  a = 1;\n  b = 1;\n  return 0;\n}}\n"
+        "int t1() {{\n{0}  b = 0;\n  return 0;\n}}\n",
+        waits);
+  };
+  const Problem fails = ProblemOf("//@ leads: a == 1 -> a == 1 && b == 1\n" + source(""));
+  const Problem holds = ProblemOf("//@ leads: b == 1 -> a == 1\n" + source(""));
+  const std::string leads = "leads = [\"a == 1 -> b == 1 && a == 0\"]\n";
+  const std::string within = "within = [{ after = \"a == 1\", then = \"a == 1\", ms = 0 }]\n";
+  for (const EngineKind engine : {EngineKind::kRandom, EngineKind::kPct, EngineKind::kPos}) {
+    const ExploreOptions options = {.engine = engine, .runs = 200};
+    EXPECT_EQ(Explore(fails, options).value().verdict, Verdict::kFailed) << EngineName(engine);
+    EXPECT_EQ(Explore(holds, options).value().verdict, Verdict::kPassed) << EngineName(engine);
+    CardModel failing = CardOf(source("  GT_Delay(1);\n"), leads);
+    EXPECT_EQ(ExploreCard(&failing, options).verdict, Verdict::kFailed) << EngineName(engine);
+    CardModel good = CardOf(source("  GT_Delay(1);\n"), within);
+    EXPECT_EQ(ExploreCard(&good, options).verdict, Verdict::kPassed) << EngineName(engine);
+  }
+}
+
 TEST(ResponseSearch, AReportNamesBothStates) {
   const Findings found = explore::FindingsOf(
       "int a, b;\nint t0() {\n  a = 1;\n  GT_Delay(2);\n  b = 1;\n  return 0;\n}\n",
