@@ -80,6 +80,22 @@ enum class Resource : uint8_t {
   kEverything      ///< may access the whole card
 };
 
+/// What a command accesses of a resource where that is less than Access::selector says. `detail` is
+/// the parameter that says what. A command that stops axes or paths reaches the coordinate systems
+/// to which the axes belong, and a coordinate system all its axes.
+enum class Part : uint8_t {
+  kWhole,
+  kBit,            ///< of a word or module of outputs: the one with the number `detail`
+  kBits,           ///< the digital outputs of a module
+  kChannel,        ///< the analogue output `detail` of a module
+  kNumbers,        ///< consecutive ones from the number `detail` on
+  kEnableOutputs,  ///< the outputs that enable the axis `detail`
+  kSelected,       ///< the axes, or coordinate systems, that the mask of axes `detail` selects
+  kStopped,        ///< the same, and what a stop of them reaches
+  kStoppedAxis,    ///< what a stop of the axis `detail` reaches
+  kPathAxes        ///< the axes of the coordinate systems that the mask `detail` selects
+};
+
 /// An access: the resource that is read or written, and the parameter that selects which one (-1:
 /// all).
 struct Access {
@@ -89,6 +105,10 @@ struct Access {
   bool mask = false;  ///< the selector is a bit mask
   /// Index of the parameter with the number of consecutive resources, -1 for one.
   int count_parameter = -1;
+  Part part = Part::kWhole;
+  int detail = -1;        ///< index of the parameter that says which part
+  int detail_count = -1;  ///< index of the parameter with the number of consecutive ones, -1: one
+  int first = 0;          ///< kBit: the number of the first bit; kEnableOutputs: that of the word
 };
 
 struct Structure;
@@ -209,6 +229,8 @@ struct Command {
   bool on_host = true;
   Cost cost = Cost::kHostCall;
   std::span<const Access> accesses;
+  /// The return code follows from the arguments alone: no state of the card refuses the command.
+  bool never_refused = false;
   std::span<const Parameter> parameters;
   std::string_view brief;     ///< what it does, one line
   std::string_view brief_zh;  ///< the same in Chinese

@@ -112,6 +112,11 @@ struct Family {
   uint32_t (*status_word)(const CardView& card, size_t axis);
   /// The number of a profile's mode, as the family's commands return it.
   int (*mode_number)(motion::ProfileMode mode);
+  /// The coordinate systems that a mask of axes selects, on a card with that many axes: bit 0 is
+  /// the first one.
+  uint32_t (*crds_of_mask)(uint32_t mask, size_t axis_count) = [](uint32_t, size_t) {
+    return uint32_t{0};
+  };
 
   // The family's own state of a card, and its part of the card's cycle. What a family leaves out
   // does nothing.

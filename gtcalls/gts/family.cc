@@ -7,10 +7,12 @@
 #include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/limits.h"
 #include "gtcalls/gts/motion_roles.h"
 #include "gtcalls/gts/mram_text.h"
+#include "gtcalls/gts/numbers.h"
 #include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
@@ -33,6 +35,7 @@ static_assert(gts::kAxisMax <= motion::kAxisMax && gts::kCrdMax <= motion::kCrdC
               gts::kPvtTableMax <= motion::kPvtTableCount && gts::kAdcMax <= motion::kAdcCount &&
               gts::kModuleLast < motion::kModuleCount &&
               gts::kModuleChannelLast < motion::kModuleChannels);
+static_assert(gts::words::kEnableWord == gts::kOutputWordFirst);
 static_assert(gts::kPositionMax <= motion::kPositionMax && gts::kAboveZero >= motion::kRateMin);
 static_assert(gts::kShaperCyclesMax <= motion::kShaperCyclesMax);
 static_assert(gts::kThreadLast < vm::kThreadCount && gts::kPageLast < vm::kPageCount);
@@ -120,6 +123,7 @@ const Family& GtsFamily() {
       .cost_us = CostUs,
       .status_word = gts::StatusWord,
       .mode_number = gts::ModeNumber,
+      .crds_of_mask = gts::CrdBitsOf,
       .new_state = NewState,
       .reset = [](FamilyState& state) { StateIn(state).Reset(); },
       .forget_program = [](FamilyState& state) { StateIn(state).plc.UnbindAll(); },

@@ -61,6 +61,8 @@ constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }
 constexpr Spec ModuleChannel() { return Index("chn", 0, kModuleChannelLast); }
 constexpr Spec DiType(std::string_view name) { return Short(name).Range(0, 6); }
 constexpr Spec DoType() { return Short("doType").Range(10, 12); }
+/// MC_ENABLE: the word of the outputs that enable axes.
+inline constexpr int kEnableWord = 10;
 constexpr Spec Position(std::string_view name) {
   return Long(name).In(Unit::kPulse).Range(-kPositionMax, kPositionMax);
 }

@@ -213,6 +213,32 @@ struct Touch {
   std::string_view selector;
   std::string_view count;
   bool mask;
+  Part part = Part::kWhole;
+  std::string_view detail = {};
+  std::string_view detail_count = {};
+  int first = 0;
+
+  /// Only that part (catalogue.h).
+  constexpr Touch Only(Part accessed, std::string_view parameter = {},
+                       std::string_view parameter_count = {}) const {
+    Touch changed = *this;
+    changed.part = accessed;
+    changed.detail = parameter;
+    changed.detail_count = parameter_count;
+    return changed;
+  }
+  /// Only the output with the number in a parameter; outputs count from `from`.
+  constexpr Touch OnlyBit(std::string_view parameter, int from) const {
+    Touch changed = Only(Part::kBit, parameter);
+    changed.first = from;
+    return changed;
+  }
+  /// Only the outputs that enable the axis in a parameter, which are in the word with that number.
+  constexpr Touch OnlyEnableOutputs(std::string_view axis, int word) const {
+    Touch changed = Only(Part::kEnableOutputs, axis);
+    changed.first = word;
+    return changed;
+  }
 };
 
 constexpr Touch Reads(Resource resource, std::string_view selector = {},
@@ -227,9 +253,19 @@ constexpr Touch WritesMask(Resource resource, std::string_view selector) {
   return {resource, true, selector, {}, true};
 }
 
+/// The column of accesses while its row is written.
+template <size_t size>
+struct Column {
+  std::array<Touch, size> touches;
+  bool never_refused = false;
+
+  /// No state of the card refuses the command, only its arguments can.
+  constexpr Column NeverRefused() const { return {touches, true}; }
+};
+
 template <typename... Touches>
-constexpr std::array<Touch, sizeof...(Touches)> Touching(Touches... touches) {
-  return {touches...};
+constexpr Column<sizeof...(Touches)> Touching(Touches... touches) {
+  return {{touches...}};
 }
 
 /// The index of the parameter with that name; -1 for no name. For an unknown name it is out of
@@ -253,12 +289,20 @@ constexpr std::array<Parameter, sizeof...(Specs)> Parameters(Specs... specs) {
 }
 
 template <size_t size, size_t parameter_count>
-constexpr std::array<Access, size> Accesses(const std::array<Touch, size>& touches,
+constexpr std::array<Access, size> Accesses(const Column<size>& column,
                                             const std::array<Parameter, parameter_count>& all) {
+  const std::array<Touch, size>& touches = column.touches;
   std::array<Access, size> accesses;
   for (size_t i = 0; i < size; ++i) {
-    accesses[i] = {touches[i].resource, touches[i].write, IndexOf(all, touches[i].selector),
-                   touches[i].mask, IndexOf(all, touches[i].count)};
+    accesses[i] = {.resource = touches[i].resource,
+                   .write = touches[i].write,
+                   .selector = IndexOf(all, touches[i].selector),
+                   .mask = touches[i].mask,
+                   .count_parameter = IndexOf(all, touches[i].count),
+                   .part = touches[i].part,
+                   .detail = IndexOf(all, touches[i].detail),
+                   .detail_count = IndexOf(all, touches[i].detail_count),
+                   .first = touches[i].first};
   }
   return accesses;
 }

@@ -11,13 +11,15 @@
 namespace oncard::runtime {
 namespace {
 
+using gtcalls::Part;
 using gtcalls::Resource;
 
 /// A thread's next statement with the current values of its operands.
 class NextStatement {
  public:
-  NextStatement(const Controller& controller, int thread)
+  NextStatement(const Controller& controller, int thread, bool precise)
       : controller_(controller),
+        precise_(precise),
         machine_(controller.machine()),
         state_(machine_.thread(thread)),
         object_(machine_.image()->object) {}
@@ -39,8 +41,8 @@ class NextStatement {
   }
 
  private:
-  void Add(Resource resource, uint32_t number, bool write) {
-    const Touched touched = {resource, number, write};
+  void Add(Resource resource, uint32_t number, bool write, uint32_t bits = ~uint32_t{0}) {
+    const Touched touched = {resource, number, write, bits};
     if (std::ranges::find(access_, touched) == access_.end()) access_.push_back(touched);
   }
 
@@ -112,6 +114,7 @@ class NextStatement {
     if (access.resource == Resource::kClock) return;
     // The operand is the variable itself.
     if (access.resource == Resource::kVariable) return;
+    if (precise_ && access.part != Part::kWhole) return AddPart(access, operands);
     if (access.selector < 0 || Index(access.selector) >= operands.size()) {
       return Add(access.resource, Touched::kAll, access.write);
     }
@@ -138,6 +141,105 @@ class NextStatement {
     }
   }
 
+  uint32_t Parameter(int index, const std::vector<vm::Operand>& operands) const {
+    return index < 0 || Index(index) >= operands.size()
+               ? 0
+               : static_cast<uint32_t>(ValueOf(operands[Index(index)]));
+  }
+
+  void AddPart(const gtcalls::Access& access, const std::vector<vm::Operand>& operands) {
+    const uint32_t detail = Parameter(access.detail, operands);
+    const auto add_bits = [&](uint32_t bits) {
+      Add(access.resource, Parameter(access.selector, operands), access.write, bits);
+    };
+    switch (access.part) {
+      case Part::kBit: {
+        // A number out of range is refused.
+        const uint32_t bit = detail - static_cast<uint32_t>(access.first);
+        return add_bits(bit < Touched::kFirstChannel ? uint32_t{1} << bit : 0);
+      }
+      case Part::kBits:
+        return add_bits((uint32_t{1} << Touched::kFirstChannel) - 1);
+      case Part::kChannel:
+        return add_bits(uint32_t{1} << (Touched::kFirstChannel + detail % Touched::kFirstChannel));
+      case Part::kNumbers: {
+        const uint32_t count =
+            access.detail_count < 0 ? 1 : Parameter(access.detail_count, operands);
+        for (uint32_t i = 0; i < std::min(count, kCountMax); ++i) {
+          Add(access.resource, detail + i, access.write);
+        }
+        return;
+      }
+      case Part::kEnableOutputs:
+        return Add(access.resource, static_cast<uint32_t>(access.first), access.write,
+                   EnableOutputsOf(detail));
+      case Part::kWhole:
+      case Part::kSelected:
+      case Part::kStopped:
+      case Part::kStoppedAxis:
+      case Part::kPathAxes:
+        break;
+    }
+    if (!AxesAreApart()) return Add(access.resource, Touched::kAll, access.write);
+    const Selection selection = SelectionOf(access.part, detail);
+    const uint32_t selected = access.resource == Resource::kCrd ? selection.crds : selection.axes;
+    for (uint32_t bit = 0; bit < 32; ++bit) {
+      if ((selected >> bit & 1) != 0) Add(access.resource, bit + 1, access.write);
+    }
+  }
+
+  /// Bit n: the output n enables the axis, which counts from 1.
+  uint32_t EnableOutputsOf(uint32_t axis) const {
+    uint32_t outputs = 0;
+    uint32_t bit = 1;
+    for (const int8_t enabled : controller_.motion().state().enable_axes) {
+      if (enabled >= 0 && static_cast<uint32_t>(enabled) + 1 == axis) outputs |= bit;
+      bit <<= 1;
+    }
+    return outputs;
+  }
+
+  /// Axes and coordinate systems; bit 0 is the first one.
+  struct Selection {
+    uint32_t axes = 0;
+    uint32_t crds = 0;
+  };
+  /// What a command selects with a mask or an axis, and what it reaches by that.
+  Selection SelectionOf(Part part, uint32_t detail) const {
+    const motion::MotionCore& motion = controller_.motion();
+    const size_t axis_count = motion.axis_count();
+    const uint32_t all = (uint32_t{1} << axis_count) - 1;
+    Selection selection;
+    if (part == Part::kPathAxes) {
+      selection.crds = detail;
+    } else if (part == Part::kStoppedAxis) {
+      if (detail >= 1 && detail <= axis_count) selection.axes = uint32_t{1} << (detail - 1);
+    } else {
+      selection = {detail & all, controller_.family().crds_of_mask(detail, axis_count)};
+    }
+    const bool stops = part == Part::kStopped || part == Part::kStoppedAxis;
+    const uint32_t named = selection.axes;
+    uint32_t bit = 1;
+    for (const motion::Crd& crd : motion.state().crds) {
+      const uint32_t members = MembersOf(crd, axis_count);
+      if (stops && (members & named) != 0) selection.crds |= bit;
+      if ((selection.crds & bit) != 0) selection.axes |= MovesOthers(crd) ? all : members;
+      bit <<= 1;
+    }
+    return selection;
+  }
+  static uint32_t MembersOf(const motion::Crd& crd, size_t axis_count) {
+    uint32_t members = 0;
+    for (size_t profile = 0; crd.exists() && profile < axis_count; ++profile) {
+      if (crd.HasMember(profile)) members |= uint32_t{1} << profile;
+    }
+    return members;
+  }
+  /// True if buffered commands of the coordinate system move axes that do not belong to it.
+  static bool MovesOthers(const motion::Crd& crd) {
+    return crd.gear_count != 0 || std::ranges::any_of(crd.fifos, &motion::CrdFifo::awaits_move);
+  }
+
   static bool IsOfAxis(Resource resource) {
     return resource == Resource::kAxis || resource == Resource::kEncoder ||
            resource == Resource::kControl;
@@ -161,7 +263,11 @@ class NextStatement {
     return true;
   }
 
+  /// More elements than any command has.
+  static constexpr uint32_t kCountMax = 32;
+
   const Controller& controller_;
+  bool precise_;
   const vm::Machine& machine_;
   const vm::ThreadState& state_;
   const vm::Object& object_;
@@ -173,7 +279,7 @@ bool Depend(const Touched& one, const Touched& other) {
   if (one.resource == Resource::kEverything || other.resource == Resource::kEverything) {
     return one.resource != Resource::kVariable && other.resource != Resource::kVariable;
   }
-  return one.resource == other.resource &&
+  return one.resource == other.resource && (one.bits & other.bits) != 0 &&
          (one.number == other.number || one.number == Touched::kAll ||
           other.number == Touched::kAll);
 }
@@ -224,7 +330,11 @@ std::string_view NameOf(Resource resource) {
 }  // namespace
 
 StatementAccess NextAccess(const Controller& controller, int thread) {
-  return NextStatement(controller, thread).Access();
+  return NextStatement(controller, thread, false).Access();
+}
+
+StatementAccess NextPreciseAccess(const Controller& controller, int thread) {
+  return NextStatement(controller, thread, true).Access();
 }
 
 const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other) {

@@ -3,8 +3,11 @@
 // coordinate system or an output word.
 //
 // Statements of different threads depend on each other if they access the same resource and one of
-// them writes it. Tested by tests/explore/statement_access_test.cc; the catalogue's rows are tested
-// by command_access_test.cc.
+// them writes it. NextPreciseAccess() also knows which outputs of a word a command sets, and which
+// coordinate systems and axes a stop reaches in the present state; the schedules of the engine
+// `pos` and the pairs of reports follow NextAccess().
+// Tested by tests/explore/statement_access_test.cc; the catalogue's rows are tested by
+// command_access_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +27,12 @@ struct Touched {
   gtcalls::Resource resource = gtcalls::Resource::kNone;
   uint32_t number = kAll;  ///< of a global: its slot; of an axis and the like: from 1
   bool write = false;
+  /// Of a word or module of outputs: bit n for output n, bit kFirstChannel + n for the analogue
+  /// output n of a module.
+  uint32_t bits = ~uint32_t{0};
   bool operator==(const Touched&) const = default;
+
+  static constexpr uint32_t kFirstChannel = 16;
 };
 
 /// Resources that are private to a thread are not included.
@@ -32,6 +40,9 @@ using StatementAccess = std::vector<Touched>;
 
 /// The accesses of the next statement of a running thread, for the current values of the variables.
 StatementAccess NextAccess(const Controller& controller, int thread);
+
+/// The same with the parts of resources that the catalogue names (gtcalls::Part).
+StatementAccess NextPreciseAccess(const Controller& controller, int thread);
 
 /// The first resource through which one depends on the other; empty if they are independent.
 const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other);

@@ -7,9 +7,14 @@
 //   - no other thread changes, and no variable except those passed as outputs
 //   - parts that the row does not name make no difference: if all of them are taken from another
 //     card, the command returns the same code and outputs, and the same state otherwise
+//   - a command whose row does not read the clock does the same at any time
+//   - a command that is never refused returns the same code in all states
+//   - two commands that do not depend on each other lead to the same card in both orders; this is
+//     what the parts of resources in the rows promise (gtcalls::Part)
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 #include <random>
@@ -287,15 +292,18 @@ double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
   return whole ? std::trunc(value) : value;
 }
 
-/// A program with one statement, the command, and the cells of its pointers as globals.
+/// A program whose functions have one statement each, a command, and the cells of their pointers as
+/// globals.
 struct OneCall {
   vm::Object object;
   std::vector<int64_t> globals;  ///< the initial raw values
 };
 
-OneCall MakeCall(const Command& command, uint64_t* random) {
+/// Adds a function that calls the command.
+void AddCall(const Command& command, const std::string& function, uint64_t* random,
+             OneCall* added_to) {
   const vm::CommandShape& shape = gtcalls::GtsCatalogue().ShapeOf(command);
-  OneCall call;
+  OneCall& call = *added_to;
   vm::Instruction instruction = {
       .opcode = vm::Opcode::kCommand, .op = command.number, .operands = {}};
   for (size_t i = 0; i < shape.parameters.size(); ++i) {
@@ -310,7 +318,7 @@ OneCall MakeCall(const Command& command, uint64_t* random) {
     instruction.operands.emplace_back(vm::Variable{vm::Storage::kGlobal, id});
     const bool array = parameter.slots.size() == 1;
     for (size_t member = 0; member < parameter.slots.size(); ++member) {
-      const auto name = "p" + std::to_string(i) + (array ? "" : ".m" + std::to_string(member));
+      const auto name = function + std::to_string(i) + (array ? "" : ".m" + std::to_string(member));
       const uint16_t elements = array ? 32 : 0;
       call.object.globals.push_back(
           {name, static_cast<uint16_t>(call.globals.size()), parameter.slots[member], elements});
@@ -324,12 +332,33 @@ OneCall MakeCall(const Command& command, uint64_t* random) {
   }
   const vm::Instruction give = {.opcode = vm::Opcode::kReturn,
                                 .operands = {vm::ImmediateInt(1), vm::ImmediateInt(0)}};
-  call.object.functions = {{.name = "f",
-                            .file = "f.c",
-                            .instructions = {instruction, give},
-                            .lines = {1, 2},
-                            .variables = {}}};
+  call.object.functions.push_back({.name = function,
+                                   .file = "f.c",
+                                   .instructions = {instruction, give},
+                                   .lines = {1, 2},
+                                   .variables = {}});
+}
+
+OneCall MakeCall(const Command& command, uint64_t* random) {
+  OneCall call;
+  AddCall(command, "f", random, &call);
   return call;
+}
+
+/// Gives the globals of a program their initial values.
+void WriteGlobals(const OneCall& call, vm::Machine* machine) {
+  for (const vm::Symbol& symbol : call.object.globals) {
+    for (uint16_t k = 0; k < symbol.slots(); ++k) {
+      const int64_t raw = call.globals[symbol.id + k];
+      const double value = symbol.type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                                : static_cast<double>(raw);
+      machine->Write({.global = true,
+                      .page = 0,
+                      .id = static_cast<uint16_t>(symbol.id + k),
+                      .type = symbol.type},
+                     value);
+    }
+  }
 }
 
 /// A card in a state with the call as its program, and two threads before it.
@@ -348,18 +377,7 @@ class CalledCard {
       EXPECT_EQ(machine.Bind(thread, 1, thread), vm::kOk);
       EXPECT_EQ(machine.Run(thread), vm::kOk);
     }
-    for (const vm::Symbol& symbol : call.object.globals) {
-      for (uint16_t k = 0; k < symbol.slots(); ++k) {
-        const int64_t raw = call.globals[symbol.id + k];
-        const double value = symbol.type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
-                                                                  : static_cast<double>(raw);
-        machine.Write({.global = true,
-                       .page = 0,
-                       .id = static_cast<uint16_t>(symbol.id + k),
-                       .type = symbol.type},
-                      value);
-      }
-    }
+    WriteGlobals(call, &machine);
   }
 
   /// False if the call cannot be loaded: its array has fewer elements than the count.
@@ -407,6 +425,7 @@ class CommandAccessTest : public ::testing::TestWithParam<const Command*> {
   static constexpr int kCalls = 40;
   static constexpr int kCallsMax = 6000;
   static constexpr int kAccepted = 4;
+  static constexpr int64_t kMuchLater = 1000;  // cycles
   const std::vector<Part> parts_ = PartsOfCard();
 };
 
@@ -462,6 +481,45 @@ TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
   });
 }
 
+bool ReadsClock(const Command& command) {
+  return std::ranges::any_of(command.accesses, [](const gtcalls::Access& access) {
+    return access.resource == Resource::kClock;
+  });
+}
+
+TEST_P(CommandAccessTest, TimeMattersOnlyIfTheRowReadsTheClock) {
+  if (ReadsClock(*GetParam())) return;
+  TryMany([&](const OneCall& call, int stage) {
+    CalledCard one(call, stage);
+    if (!one.loaded()) return vm::kBadParameter;
+    CalledCard later(call, stage);
+    later.state().motion.cycle += kMuchLater;
+    later.state().motion.clock_cycle += kMuchLater;
+    const int16_t code = one.Execute();
+    EXPECT_EQ(later.Execute(), code);
+    EXPECT_EQ(later.globals(), one.globals());
+    for (const Part& part : parts_) {
+      if (part.resource == Resource::kEverything) continue;
+      EXPECT_EQ(part.hash(later.state()), part.hash(one.state()))
+          << part.name << ' ' << part.number << ", code " << code;
+    }
+    return code;
+  });
+}
+
+TEST_P(CommandAccessTest, WhatIsNeverRefusedReturnsOneCode) {
+  if (!GetParam()->never_refused) return;
+  TryMany([&](const OneCall& call, int stage) {
+    CalledCard one(call, stage);
+    if (!one.loaded()) return vm::kBadParameter;
+    const int16_t code = one.Execute();
+    for (int other = 0; other < kStages; ++other) {
+      EXPECT_EQ(CalledCard(call, other).Execute(), code) << "stage " << other;
+    }
+    return code;
+  });
+}
+
 /// The commands that motion programs may call, except those that oncard's cards do not support.
 std::vector<const Command*> ProgramCommands() {
   std::vector<const Command*> commands;
@@ -470,6 +528,94 @@ std::vector<const Command*> ProgramCommands() {
       commands.push_back(&command);
   }
   return commands;
+}
+
+// --- Two calls -----------------------------------------------------------------------------------
+
+/// Cards of all stages at several cycles, into which programs are loaded.
+class TwoCalls {
+ public:
+  TwoCalls() {
+    runtime::ControllerOptions options;
+    options.motion.axis_count = motion::kAxisMax;
+    card_ = std::make_unique<runtime::Controller>(options);
+    for (int stage = 0; stage < kStages; ++stage) {
+      runtime::Controller staged(options);
+      Prepare(stage, &staged);
+      for (int i = 0; i < kBodiesPerStage; ++i) {
+        for (int cycle = 0; cycle < kCycles; ++cycle) staged.RunCycle();
+        bodies_.push_back(staged.Body());
+      }
+    }
+  }
+
+  /// A pair of commands on a card in one of the states. False if the program cannot be loaded.
+  bool Load(const Command& one, const Command& other, uint64_t* random) {
+    call_ = OneCall();
+    AddCall(one, "f", random, &call_);
+    AddCall(other, "g", random, &call_);
+    body_ = &bodies_[RandomBelow(*random, bodies_.size())];
+    if (!card_->Load(call_.object).ok()) return false;
+    Reset();
+    start_ = card_->machine().state();
+    return true;
+  }
+  /// Through which resource the commands depend on each other.
+  bool Depend(StatementAccess (*access)(const runtime::Controller& card, int thread)) const {
+    return FindDependence(access(*card_, kCaller), access(*card_, kOther)) != nullptr;
+  }
+  /// What is left when they are executed in this order: hash of the card, codes, variables.
+  std::vector<uint64_t> After(std::array<int, 2> order) {
+    card_->machine().Restore(start_);
+    card_->RestoreBody(*body_);
+    for (const int thread : order) card_->machine().ExecuteOne(thread);
+    std::vector<uint64_t> after = {card_->BodyHash()};
+    for (const int thread : {kCaller, kOther}) {
+      after.push_back(static_cast<uint64_t>(card_->machine().thread(thread).error));
+    }
+    for (const int64_t value : card_->machine().state().globals) {
+      after.push_back(static_cast<uint64_t>(value));
+    }
+    return after;
+  }
+
+ private:
+  static constexpr int kBodiesPerStage = 3;
+
+  void Reset() {
+    card_->RestoreBody(*body_);
+    vm::Machine& machine = card_->machine();
+    EXPECT_EQ(machine.Bind(kCaller, 1, kCaller), vm::kOk);
+    EXPECT_EQ(machine.Bind(kOther, 2, kOther), vm::kOk);
+    for (const int thread : {kCaller, kOther}) EXPECT_EQ(machine.Run(thread), vm::kOk);
+    WriteGlobals(call_, &machine);
+  }
+
+  std::unique_ptr<runtime::Controller> card_;
+  std::vector<runtime::CardBody> bodies_;
+  const runtime::CardBody* body_ = nullptr;
+  OneCall call_;
+  vm::MachineState start_;
+};
+
+// Counted: those that only the parts of the rows tell apart.
+TEST(CommandPairsTest, TheOrderOfIndependentCommandsMakesNoDifference) {
+  const auto calls = std::make_unique<TwoCalls>();
+  const std::vector<const Command*> commands = ProgramCommands();
+  uint64_t random = 34;
+  int independent = 0;
+  int by_parts = 0;
+  constexpr int kIndependent = 20'000;
+  for (size_t i = 0; independent < kIndependent; ++i) {
+    const Command& one = *commands[i % commands.size()];
+    const Command& other = *commands[RandomBelow(random, commands.size())];
+    if (!calls->Load(one, other, &random) || calls->Depend(runtime::NextPreciseAccess)) continue;
+    ++independent;
+    if (calls->Depend(runtime::NextAccess)) ++by_parts;
+    ASSERT_EQ(calls->After({kCaller, kOther}), calls->After({kOther, kCaller}))
+        << one.name << ", " << other.name;
+  }
+  EXPECT_GT(by_parts, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, CommandAccessTest, ::testing::ValuesIn(ProgramCommands()),

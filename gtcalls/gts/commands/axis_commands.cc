@@ -159,11 +159,12 @@ int16_t GT_GetStopDec(Call& call) {
 int16_t GT_Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   const uint32_t mask = BitWord(call.value(0));
-  const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, mask));
+  const size_t axis_count = call.card.motion.axis_count();
+  const std::vector<size_t> crds = CrdsOf(CrdBitsOf(mask, axis_count));
   if (profiles.empty() && crds.empty()) return vm::kRefused;
   call.reason = {};
   const uint32_t abrupt = BitWord(call.value(1));
-  const uint32_t abrupt_crds = CrdBitsOf(call, mask & abrupt);
+  const uint32_t abrupt_crds = CrdBitsOf(mask & abrupt, axis_count);
   for (const size_t i : crds) call.card.motion.CrdAt(i).Stop((abrupt_crds >> i & 1) != 0);
   for (const size_t i : profiles) call.card.motion.AxisAt(i).Stop((abrupt >> i & 1) != 0);
   return vm::kOk;

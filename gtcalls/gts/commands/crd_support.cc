@@ -81,8 +81,8 @@ std::vector<size_t> CrdsOf(uint32_t mask) {
   return selected;
 }
 
-uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask) {
-  const bool small = call.card.motion.axis_count() <= kFirstCrdBitTo8Axes;
+uint32_t CrdBitsOf(uint32_t axis_mask, size_t axis_count) {
+  const bool small = axis_count <= kFirstCrdBitTo8Axes;
   const uint32_t crds =
       axis_mask >> kFirstCrdBit | (small ? axis_mask >> kFirstCrdBitTo8Axes : uint32_t{0});
   return crds & ((uint32_t{1} << motion::kCrdCount) - 1);

@@ -48,6 +48,6 @@ inline constexpr unsigned kFirstCrdBit = 12;
 /// Assumption: its bit on cards of up to 8 axes, which have the other one too.
 inline constexpr unsigned kFirstCrdBitTo8Axes = 8;
 /// The coordinate systems whose bits such a mask has: bit 0 is coordinate system 1.
-uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask);
+uint32_t CrdBitsOf(uint32_t axis_mask, size_t axis_count);
 
 }  // namespace oncard::gtcalls::gts

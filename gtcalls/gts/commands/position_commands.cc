@@ -86,7 +86,8 @@ void SynchMembers(const Call& call, size_t crd) {
 
 int16_t GT_SynchAxisPos(Call& call) {
   const std::vector<size_t> axes = SelectedProfiles(call);
-  const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, BitWord(call.value(0))));
+  const std::vector<size_t> crds =
+      CrdsOf(CrdBitsOf(BitWord(call.value(0)), call.card.motion.axis_count()));
   if (axes.empty() && crds.empty()) return vm::kRefused;
   call.reason = {};
   for (const size_t axis : axes) call.card.motion.AxisAt(axis).SynchPosition();
