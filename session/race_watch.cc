@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/observe/statement_access.h"
-#include "runtime/observe/step_log.h"
+#include "runtime/observe/race_steps.h"
 #include "runtime/scenario/run/scenario_errors.h"
 
 namespace oncard::session {
 
 Result<RaceWatch> RaceWatch::Create(const runtime::Scenario& scenario,
                                     const runtime::Controller& controller) {
-  const vm::Object& object = controller.machine().image()->object;
   runtime::ScenarioErrors errors;
-  std::vector<bool> sync = runtime::SyncGlobals(scenario, object, &errors);
+  std::vector<bool> sync = runtime::OrderingGlobals(scenario, controller, &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
-  const std::vector<bool> awaited = runtime::AwaitedGlobals(object, controller.family().catalogue);
-  sync.resize(std::max(sync.size(), awaited.size()));
-  for (size_t slot = 0; slot < awaited.size(); ++slot) {
-    if (awaited[slot]) sync[slot] = true;
-  }
   RaceWatch watch;
   watch.sync_ = std::make_shared<const std::vector<bool>>(std::move(sync));
   return watch;
@@ -31,42 +24,49 @@ std::optional<Message> RaceWatch::BeforeStatement(const runtime::Controller& con
     clocks_.Acquire(thread, *awaited);
     awaited.reset();
   }
-  runtime::StatementAccess accesses = NextAccess(controller, thread);
-  std::erase_if(accesses, [](const runtime::Touched& touched) {
-    return touched.resource != gtcalls::Resource::kVariable;
-  });
-  // A statement reads before it writes.
-  std::stable_partition(accesses.begin(), accesses.end(),
-                        [](const runtime::Touched& touched) { return !touched.write; });
-  for (const runtime::Touched& touched : accesses) {
-    if (!touched.write && Synchronises(touched.number)) clocks_.Acquire(thread, touched.number);
-  }
   const vm::Machine& machine = controller.machine();
-  const vm::Object& object = machine.image()->object;
   const vm::ThreadState& state = machine.thread(thread);
   std::optional<Message> race;
-  for (const runtime::Touched& touched : accesses) {
-    if (Synchronises(touched.number)) {
-      if (touched.write) clocks_.Release(thread, touched.number);
+  for (const auto& [kind, cell] : NextRaceSteps(controller, thread, *sync_)) {
+    if (kind == runtime::RaceStep::Kind::kAcquire) {
+      clocks_.Acquire(thread, cell);
       continue;
     }
-    const auto earlier = touched.write ? clocks_.Write(thread, state.pc, touched.number)
-                                       : clocks_.Read(thread, state.pc, touched.number);
+    if (kind == runtime::RaceStep::Kind::kRelease) {
+      clocks_.Release(thread, cell);
+      continue;
+    }
+    const bool writes = kind == runtime::RaceStep::Kind::kWrite;
+    const auto earlier =
+        writes ? clocks_.Write(thread, state.pc, cell) : clocks_.Read(thread, state.pc, cell);
     if (!earlier) continue;
     const int function = machine.thread(earlier->thread).function;
     Pair pair = {{{function, earlier->position}, {state.function, state.pc}}};
     std::ranges::sort(pair);
     if (!told_.insert(pair).second || race) continue;
-    const auto place = [&](int number, int of, int position, bool writes) {
-      const auto& lines = object.functions[static_cast<size_t>(of)].lines;
-      return runtime::PlacedAccess{number, lines[static_cast<size_t>(position)], writes};
-    };
-    race = runtime::DescribeDataRace(
-        NameOf(touched, object),
-        place(earlier->thread, function, earlier->position, earlier->writes),
-        place(thread, state.function, state.pc, touched.write));
+    race = Describe(controller, cell, *earlier, {thread, state.pc, writes});
   }
   return race;
+}
+
+Message RaceWatch::Describe(const runtime::Controller& controller, uint32_t cell,
+                            const vm::RacingAccess& first, const vm::RacingAccess& second) {
+  const vm::Object& object = controller.machine().image()->object;
+  const auto line_of = [&](const vm::RacingAccess& access) -> int {
+    const vm::Function& function =
+        object.functions[controller.machine().thread(access.thread).function];
+    return function.lines[static_cast<size_t>(access.position)];
+  };
+  if (runtime::IsSetByCommands(cell)) {
+    const auto command = [&](const vm::RacingAccess& access) -> runtime::PlacedCommand {
+      return {access.thread, line_of(access),
+              CommandAt(controller, access.thread, access.position)};
+    };
+    return runtime::DescribeTwoOwners(cell, object, command(first), command(second));
+  }
+  return runtime::DescribeDataRace(runtime::NameOfCell(cell, object).en,
+                                   {first.thread, line_of(first), first.writes},
+                                   {second.thread, line_of(second), second.writes});
 }
 
 void RaceWatch::AfterStatement(const runtime::Controller& controller, int thread) {

@@ -1,6 +1,8 @@
 // The data races of a run: statements of different threads that access a global variable, of which
-// one writes it, and which nothing orders (vm/race_clocks.h). What orders are the variables of the
-// scenario's `sync`, and those for which statements wait. Writes of the host are not looked at.
+// one writes it, and which nothing orders (vm/race_clocks.h); and commands of different threads
+// that set one axis, coordinate system or output without an order (runtime/observe/race_steps.h).
+// What orders are the variables of the scenario's `sync`, and those for which statements wait. What
+// the host does is not looked at.
 //
 // Each pair of statements is told once. A copy goes on by itself; deterministic. Tested by
 // tests/session/race_watch_test.cc.
@@ -38,7 +40,8 @@ class RaceWatch {
   using Pair = std::array<std::pair<int, int>, 2>;
 
   RaceWatch() : clocks_(vm::kThreadCount) {}
-  bool Synchronises(uint32_t slot) const { return slot < sync_->size() && (*sync_)[slot]; }
+  static Message Describe(const runtime::Controller& controller, uint32_t cell,
+                          const vm::RacingAccess& first, const vm::RacingAccess& second);
 
   std::shared_ptr<const std::vector<bool>> sync_;  ///< by the slots of globals
   vm::RaceClocks clocks_;

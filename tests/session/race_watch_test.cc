@@ -104,6 +104,19 @@ TEST(RaceWatchTest, TimeAloneOrdersNothing) {
                           "and nothing orders the two"));
 }
 
+TEST(RaceWatchTest, ThreadsThatSetOneAxisWithoutAnOrderAreTold) {
+  const std::string owners =
+      "int f;\n"
+      "int t0()\n{\n  GT_SetVel(2, 5);\n  GT_SetDoBit(12, 1, 1);\n  f = 1;\n}\n"
+      "int t1()\n{\n  GT_SetDoBit(12, 2, 1);\n  GT_WaitForVarEq(&f, 1);\n  GT_Stop(2, 0);\n}\n";
+  EXPECT_THAT(RacesOf(owners, kBoth), ElementsAre());
+  const std::string without =
+      "int t0()\n{\n  GT_SetVel(2, 5);\n}\nint t1()\n{\n  GT_Delay(3);\n  GT_Stop(2, 0);\n}\n";
+  EXPECT_THAT(RacesOf(without, kBoth),
+              ElementsAre("threads 0 and 1 both command axis 2: GT_SetVel in line 3, GT_Stop in "
+                          "line 8; nothing orders them"));
+}
+
 TEST(RaceWatchTest, WhatWasBeforeTheWatchCountsToo) {
   Session session = SessionOf(kHandOver, kBoth);
   while (session.run().machine().thread(0).executed == 0) session.run().Step();

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "runtime/observe/statement_access.h"
+
 namespace oncard::runtime {
 namespace {
 
@@ -69,6 +71,18 @@ std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object
     const size_t end = size_t{found->id} + found->slots();
     if (slots.size() < end) slots.resize(end);
     std::fill(slots.begin() + found->id, slots.begin() + static_cast<std::ptrdiff_t>(end), true);
+  }
+  return slots;
+}
+
+std::vector<bool> OrderingGlobals(const Scenario& scenario, const Controller& controller,
+                                  ScenarioErrors* errors) {
+  const vm::Object& object = controller.machine().image()->object;
+  std::vector<bool> slots = SyncGlobals(scenario, object, errors);
+  const std::vector<bool> awaited = AwaitedGlobals(object, controller.family().catalogue);
+  slots.resize(std::max(slots.size(), awaited.size()));
+  for (size_t slot = 0; slot < awaited.size(); ++slot) {
+    if (awaited[slot]) slots[slot] = true;
   }
   return slots;
 }

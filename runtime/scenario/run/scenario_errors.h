@@ -45,6 +45,10 @@ std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller
 std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object,
                               ScenarioErrors* errors);
 
+/// The globals that order what threads do: those of `sync`, and those for which statements wait.
+std::vector<bool> OrderingGlobals(const Scenario& scenario, const Controller& controller,
+                                  ScenarioErrors* errors);
+
 /// The conditions of a requirement, bound to names.
 template <typename Bound>
 struct BoundSides {
