@@ -97,7 +97,6 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const ExploreOptions& options) {
   runtime::ScenarioErrors errors;
   CheckCardSearch(scenario, options, &errors);
-  runtime::SyncGlobals(scenario, object, &errors);
   auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(errors));
   if (!model.ok()) return model.error();
   Exploration exploration = ExploreCard(&model.value(), options);
@@ -192,12 +191,6 @@ void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& op
   if (options.merge_private) {
     errors->Add({}, {"with the card every statement takes time: none can be merged",
                      "带控制卡时每条语句都占用时间：不能合并"});
-  }
-  if (scenario.races != runtime::Scenario{}.races) {
-    errors->Add(runtime::PlaceOfText(scenario, "races"),
-                {"data races are found only in programs without GT commands: explore the functions "
-                 "without GT commands separately",
-                 "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
   }
 }
 

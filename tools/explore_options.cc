@@ -51,7 +51,8 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
       invocation.Say({"show every statement of a failing run and every pass of its loops",
                       "列出出错运行的每条语句，循环逐次列出"}));
   command.add_flag("--races", arguments.races,
-                   invocation.Say({"a data race is a failure", "将数据竞争视为失败"}));
+                   invocation.Say({"data races and axes with two owners are failures",
+                                   "将数据竞争和同时有两个归属线程的轴视为失败"}));
   command.add_flag("--benign", arguments.benign,
                    invocation.Say({"the same, except races that change no final value",
                                    "同上，但不改变任何最终值的竞争除外"}));

@@ -92,6 +92,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
     model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
   model.BindRequirements(requirements, &errors);
+  model.BindRaces(&errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   // If no thread runs, the card continues until then, as in a run.
   if (scenario.until_us) model.last_instant_ = model.bounds_.last();
@@ -120,6 +121,7 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   runtime::CheckTimes(requirements, true, model.controller_->clock().UsOf(model.bounds_.last()),
                       &errors);
   model.BindRequirements(requirements, &errors);
+  model.BindRaces(&errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   model.Save(&model.initial_);
   return model;
@@ -185,6 +187,31 @@ void CardModel::BindGuards() {
     auto matters = runtime::CardCondition::Bind(bound.guard->matters, *controller_);
     if (matters.ok()) bound.matters = std::move(matters).value();
   }
+}
+
+void CardModel::BindRaces(runtime::ScenarioErrors* errors) {
+  const RaceRule rule = *RaceRuleNamed(scenario_.races);
+  const runtime::TextPlace place = runtime::PlaceOfText(scenario_, "races");
+  if (host_ != nullptr) {
+    if (rule == RaceRule::kAny) return;
+    return errors->Add(
+        place, {"data races and owners of axes are not looked for where a recorded host starts the "
+                "threads: explore a scenario that starts them",
+                "主机记录中不查找数据竞争与轴的归属：请探索由场景启动线程的程序"});
+  }
+  std::vector<bool> ordering = runtime::OrderingGlobals(scenario_, *controller_, errors);
+  if (rule == RaceRule::kBenign) {
+    errors->Add(place,
+                {"whether a race is benign is known only in programs without GT commands: "
+                 "use races = \"none\" with the card, or explore the functions without GT "
+                 "commands separately",
+                 "仅对不含 GT 指令的程序能判断竞争是否无害：带控制卡时请使用 races = \"none\"，"
+                 "或单独探索不含 GT 指令的函数"});
+  }
+  if (rule != RaceRule::kNone) return;
+  std::vector<int> threads;
+  for (const ThreadSetup& setup : setups_) threads.push_back(setup.thread);
+  races_ = std::make_shared<const CardRaces>(std::move(ordering), std::move(threads));
 }
 
 std::vector<Message> CardModel::Untested() const {
@@ -303,6 +330,7 @@ CardModel::State CardModel::Begin() {
   held_ = nullptr;
   State state;
   state.owed = initial_.owed;
+  state.races = races_;
   if (has_invariants_) JudgeState(&state);
   Settle(&state);
   return state;
@@ -321,6 +349,7 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   state.served = from.served;
   state.reached = from.reached;
   state.owed = from.owed;
+  state.races = from.races;
   Execute(&state, thread);
   Save(&state);
   return state;
@@ -332,24 +361,47 @@ void CardModel::Advance(State* state, int thread) {
   Execute(state, thread);
 }
 
+Race CardModel::NoteRaces(State* state, int thread) const {
+  if (state->races == nullptr) return {};
+  auto noted = std::make_shared<CardRaces>(*state->races);
+  const Race race = noted->BeforeStatement(*controller_, thread);
+  if (*noted != *state->races) state->races = std::move(noted);
+  return race;
+}
+
+void CardModel::NoteWait(State* state, int thread) const {
+  if (state->races == nullptr || !controller_->machine().thread(setup(thread).thread).waiting)
+    return;
+  auto noted = std::make_shared<CardRaces>(*state->races);
+  noted->AfterStatement(*controller_, thread);
+  state->races = std::move(noted);
+}
+
 void CardModel::Execute(State* state, int thread) {
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
+  const Race race = NoteRaces(state, thread);
   --state->left;
   state->served |= 1u << number;
   state->choices = 0;
   machine.ExecuteOne(number);
   // Threads that wake up at the end of their code finish.
   machine.Execute(0);
+  NoteWait(state, thread);
   JudgeThreads(state);
   if (has_invariants_) JudgeState(state);
+  if (race && !state->fault) {
+    state->fault.kind = Fault::Kind::kRace;
+    state->fault.race = race;
+  }
   Settle(state);
 }
 
 int64_t CardModel::AdvanceAlone(State* state, int thread, int64_t most) {
   vm::Machine& machine = controller_->machine();
   const auto runs = [](const ThreadState& each) { return each.run == vm::ThreadRun::kRunning; };
-  if (has_invariants_ || std::ranges::count_if(machine.state().threads, runs) != 1) {
+  if (has_invariants_ || races_ != nullptr ||
+      std::ranges::count_if(machine.state().threads, runs) != 1) {
     Advance(state, thread);
     return 1;
   }
@@ -545,10 +597,10 @@ StateKey CardModel::KeyOf(const State& state) const {
                                static_cast<int64_t>(state.served), state.ended, state.reached,
                                static_cast<int64_t>(state.fault.kind)});
   // The clock is a part of the body, so an instant says how much time is left.
-  for (size_t i = 0; i < state.owed.size(); ++i) {
-    if (!state.owed[i].pending) continue;
-    words_.insert(words_.end(), {static_cast<int64_t>(i), state.owed[i].due_ns});
+  for (const runtime::Owed& owed : state.owed) {
+    words_.push_back(owed.pending ? owed.due_ns : -1);
   }
+  if (state.races != nullptr) state.races->AddTo(&words_);
   return KeyOfWords(words_);
 }
 

@@ -7,6 +7,9 @@
 // statements of a cycle, with one restriction, without which a thread could be delayed for ever:
 // every thread that can run executes at least one statement per cycle.
 //
+// If the scenario has `races = "none"`, the past that decides races is part of the state, too
+// (CardRaces).
+//
 // States are values; Step() goes from one to the next. Deterministic; not thread-safe. Tested by
 // tests/explore/card_model_test.cc.
 #pragma once
@@ -23,6 +26,7 @@
 #include "explore/models/host_events.h"
 #include "explore/models/model.h"
 #include "explore/models/problem.h"
+#include "explore/models/races.h"
 #include "explore/models/state_key.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
@@ -52,8 +56,9 @@ class CardModel {
     bool finished = false;  ///< the run ended because no thread will run any more
     uint32_t choices = 0;   ///< bit n: thread n of the model may execute the next statement
     uint32_t reached = 0;   ///< bit n: the n-th kEventually has held before
-    std::vector<runtime::Owed> owed;  ///< to each response, in the order of the requirements
-    Fault fault;                      ///< the fault of the state, or of a cycle that led to it
+    std::vector<runtime::Owed> owed;         ///< to each response, in the order of the requirements
+    std::shared_ptr<const CardRaces> races;  ///< nullptr: races are no failures
+    Fault fault;  ///< the fault of the state, or of a cycle that led to it
   };
 
   /// The scenario's program on a card of its own, before the first statement; its expectations and
@@ -154,6 +159,8 @@ class CardModel {
   void BindRequirements(const std::vector<Requirement>& requirements,
                         runtime::ScenarioErrors* errors);
   void BindGuards();
+  /// Prepares the search for races, or refuses it.
+  void BindRaces(runtime::ScenarioErrors* errors);
   bool Holds(const BoundRequirement& bound) const;
   /// Goes on with what is owed to a response.
   void ObserveResponse(const BoundRequirement& bound, runtime::Owed* owed) const;
@@ -176,6 +183,10 @@ class CardModel {
   void ActAsHost(State* state);
   /// The threads that may execute the next statement, by number on the card.
   uint32_t Candidates(const State& state) const;
+  /// Notes the next statement of a thread; returns the race that it completes, if there is any.
+  Race NoteRaces(State* state, int thread) const;
+  /// Notes that the statement has begun to wait for a variable.
+  void NoteWait(State* state, int thread) const;
   /// Executes a statement and what then happens without threads.
   void Execute(State* state, int thread);
   /// Returns the statements of the cycle.
@@ -201,9 +212,10 @@ class CardModel {
   mutable std::vector<int64_t> words_;         ///< of the state whose key is computed
   std::vector<ThreadSetup> setups_;
   std::vector<BoundRequirement> requirements_;
-  uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names
-  bool has_invariants_ = false;  ///< or kEventually
-  bool watches_card_ = false;    ///< a requirement on every state names more than the program
+  std::shared_ptr<const CardRaces> races_;  ///< before the first statement; nullptr: any is allowed
+  uint32_t fault_expected_ = 0;             ///< threads whose error an expectation names
+  bool has_invariants_ = false;             ///< or kEventually
+  bool watches_card_ = false;  ///< a requirement on every state names more than the program
   Horizon horizon_;
   int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
   runtime::RunBounds bounds_;

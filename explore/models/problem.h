@@ -115,7 +115,7 @@ struct Fault {
     kThread,
     kDeadlock,   ///< threads wait for values that nothing can change any more
     kTimeLimit,  ///< threads are still running at the scenario's `limit_ms`
-    kRace,       ///< two threads access a variable without an order
+    kRace,       ///< two threads access a variable, or set an axis or output, without an order
     kHostCall    ///< a call of the recorded host is not answered as in the record
   };
   Kind kind = Kind::kNone;

@@ -1,7 +1,11 @@
 #include "explore/models/races.h"
 
+#include <algorithm>
 #include <bit>
 #include <span>
+#include <utility>
+
+#include "runtime/observe/race_steps.h"
 
 namespace oncard::explore {
 namespace {
@@ -33,6 +37,61 @@ std::vector<Race> FindRaces(const Model& model, const SyncCells& sync) {
     }
   }
   return races;
+}
+
+// --- With a card ---------------------------------------------------------------------------------
+
+CardRaces::CardRaces(std::vector<bool> ordering, std::vector<int> threads)
+    : awaited_(threads.size(), kNone),
+      history_(threads.size(), static_cast<size_t>(std::ranges::count(ordering, true))) {
+  Program program = {std::move(ordering), {}, std::move(threads)};
+  size_t place = 0;
+  for (const bool orders : program.ordering) program.places.push_back(orders ? place++ : place);
+  program_ = std::make_shared<const Program>(std::move(program));
+}
+
+Race CardRaces::BeforeStatement(const runtime::Controller& controller, int thread) {
+  const std::vector<size_t>& places = program_->places;
+  const auto number = [&](int of) { return program_->threads[static_cast<size_t>(of)]; };
+  if (int16_t& awaited = awaited_[static_cast<size_t>(thread)]; awaited != kNone) {
+    history_.Acquire(thread, places[static_cast<size_t>(awaited)]);
+    awaited = kNone;
+  }
+  const int position = controller.machine().thread(number(thread)).pc;
+  Race found;
+  for (const auto& [kind, cell] : NextRaceSteps(controller, number(thread), program_->ordering)) {
+    if (kind == runtime::RaceStep::Kind::kAcquire) {
+      history_.Acquire(thread, places[cell]);
+      continue;
+    }
+    if (kind == runtime::RaceStep::Kind::kRelease) {
+      history_.Release(thread, places[cell]);
+      continue;
+    }
+    const bool writes = kind == runtime::RaceStep::Kind::kWrite;
+    const auto other =
+        writes ? history_.Write(thread, position, cell) : history_.Read(thread, position, cell);
+    if (!other || found) continue;
+    found = {cell, {other->thread, other->position, other->writes}, {thread, position, writes}};
+    if (!runtime::IsSetByCommands(cell)) continue;
+    for (RacingStatement* statement : {&found.first, &found.second}) {
+      statement->command = CommandAt(controller, number(statement->thread), statement->position);
+    }
+  }
+  return found;
+}
+
+void CardRaces::AfterStatement(const runtime::Controller& controller, int thread) {
+  const vm::ThreadState& state =
+      controller.machine().thread(program_->threads[static_cast<size_t>(thread)]);
+  if (state.waiting && state.wait_slot.global) {
+    awaited_[static_cast<size_t>(thread)] = static_cast<int16_t>(state.wait_slot.id);
+  }
+}
+
+void CardRaces::AddTo(std::vector<int64_t>* words) const {
+  words->insert(words->end(), awaited_.begin(), awaited_.end());
+  history_.ForEachNumber([&](int64_t number) { words->push_back(number); });
 }
 
 // --- Of one run ----------------------------------------------------------------------------------

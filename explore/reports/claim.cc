@@ -95,6 +95,10 @@ ClaimEntry Asked(const Findings& findings) {
     entry.lines.push_back({"every call of the host is answered with its recorded code",
                            "主机每次调用的返回值与记录相同"});
   }
+  if (subject.races != RaceRule::kAny && subject.card) {
+    entry.lines.push_back({"axes, coordinate systems and outputs have one owner at a time",
+                           "每个轴、坐标系和输出在同一时间只有一个归属线程"});
+  }
   if (subject.races != RaceRule::kAny) {
     Message races =
         subject.races == RaceRule::kNone
@@ -103,6 +107,10 @@ ClaimEntry Asked(const Findings& findings) {
     if (!subject.sync.empty()) {
       races.en += fmt::format("; synchronising: {}", Joined(subject.sync));
       races.zh += fmt::format("；同步变量：{}", Joined(subject.sync));
+    }
+    if (subject.card) {
+      races.en += "; variables for which statements wait synchronise, too";
+      races.zh += "；语句所等待的变量也作为同步变量";
     }
     entry.lines.push_back(std::move(races));
   }
@@ -451,6 +459,7 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
   asked["livelock"] = built_in.livelock;
   asked["limit"] = built_in.limit;
   asked["races"] = RaceRuleText(subject.races);
+  if (subject.races != RaceRule::kAny && subject.card) asked["owners"] = true;
   if (!subject.sync.empty()) asked["sync"] = subject.sync;
   auto& program = (*json)["program"];
   program = {{"file", subject.program}, {"object", fmt::format("{:016x}", subject.image->hash)}};

@@ -8,7 +8,7 @@
 #include "base/markup.h"
 #include "explore/reports/culprit.h"
 #include "explore/reports/step_table.h"
-#include "runtime/observe/statement_access.h"
+#include "runtime/observe/race_steps.h"
 
 namespace oncard::explore {
 namespace {
@@ -20,6 +20,11 @@ runtime::PlacedAccess PartyOf(const Subject& subject, const RacingStatement& sta
   const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
   const auto& function = subject.image->object.functions[static_cast<size_t>(setup.function)];
   return {setup.thread, function.lines[static_cast<size_t>(statement.position)], statement.writes};
+}
+
+runtime::PlacedCommand CommandOf(const Subject& subject, const RacingStatement& statement) {
+  const runtime::PlacedAccess party = PartyOf(subject, statement);
+  return {party.thread, party.line, statement.command};
 }
 
 runtime::PlacedAccess PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
@@ -195,7 +200,12 @@ nlohmann::ordered_json PartiesJson(const std::string& what, const runtime::Place
 }  // namespace
 
 Message DescribeRace(const Subject& subject, const Race& race) {
-  return runtime::DescribeDataRace(NameOfSlot(subject.image->object.globals, race.cell),
+  const vm::Object& object = subject.image->object;
+  if (runtime::IsSetByCommands(race.cell)) {
+    return runtime::DescribeTwoOwners(race.cell, object, CommandOf(subject, race.first),
+                                      CommandOf(subject, race.second));
+  }
+  return runtime::DescribeDataRace(NameOfSlot(object.globals, race.cell),
                                    PartyOf(subject, race.first), PartyOf(subject, race.second));
 }
 
@@ -235,7 +245,7 @@ std::string FailureHtml(const Findings& findings, const Failure& failure,
 }
 
 nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
-  return PartiesJson(NameOfSlot(subject.image->object.globals, race.cell),
+  return PartiesJson(runtime::NameOfCell(race.cell, subject.image->object).en,
                      PartyOf(subject, race.first), PartyOf(subject, race.second));
 }
 

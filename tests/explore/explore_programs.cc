@@ -58,9 +58,14 @@ Findings FindingsOf(const std::string& source, const ExploreOptions& options) {
 
 Findings FindingsOf(const std::string& source, const std::string& keys,
                     const ExploreOptions& options) {
+  return Need(TryFindingsOf(source, keys, options));
+}
+
+Result<Findings> TryFindingsOf(const std::string& source, const std::string& keys,
+                               const ExploreOptions& options) {
   const vm::Object object = Compiled(source);
   const runtime::Scenario scenario = ScenarioOf(source, keys, object);
-  return Need(ExploreScenario(scenario, RequirementsOf(scenario), object, options));
+  return ExploreScenario(scenario, RequirementsOf(scenario), object, options);
 }
 
 std::string Increments(int threads, int times) {

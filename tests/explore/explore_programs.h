@@ -23,6 +23,10 @@ Findings FindingsOf(const std::string& source, const ExploreOptions& options);
 Findings FindingsOf(const std::string& source, const std::string& keys,
                     const ExploreOptions& options);
 
+/// The same where it may be refused.
+Result<Findings> TryFindingsOf(const std::string& source, const std::string& keys,
+                               const ExploreOptions& options);
+
 /// `threads` threads that each increment `x` `times` times, in three statements; x is 0 at first.
 std::string Increments(int threads, int times);
 

@@ -199,7 +199,7 @@ TEST(HostExplorationTest, RefusesInitialValuesInComments) {
 
 TEST(HostExplorationTest, RefusesDataRaces) {
   EXPECT_THAT(RefusalOf(RecordOf("//@ races: none\n" + Adding("x = x + 1;"))),
-              HasSubstr("data races are found only in programs without GT commands"));
+              HasSubstr("not looked for where a recorded host starts the threads"));
 }
 
 TEST(HostExplorationTest, RefusesDataRacesOfAnySource) {
@@ -210,7 +210,7 @@ TEST(HostExplorationTest, RefusesDataRacesOfAnySource) {
   const size_t end = record.find("}]", at);
   record.insert(end + 1, R"(,{"path":"/programs/more.c","text":"//@ final: x == 2\n"})");
   EXPECT_THAT(RefusalOf(record),
-              HasSubstr("data races are found only in programs without GT commands"));
+              HasSubstr("not looked for where a recorded host starts the threads"));
 }
 
 TEST(HostExplorationTest, RefusesARecordWhoseCallsTheCardAnswersOtherwise) {
