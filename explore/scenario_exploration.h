@@ -38,7 +38,7 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
 /// The card of a scenario, for Subject::card.
 CardConditions CardConditionsOf(const runtime::Scenario& scenario);
 
-/// What an exploration with a card cannot do: engines, merged statements, races.
+/// What an exploration with a card cannot do: engines, merged statements; CardModel refuses races.
 void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
                      runtime::ScenarioErrors* errors);
 
