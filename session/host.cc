@@ -556,8 +556,8 @@ Result<Json> SessionHost::Requests::MoveSwitch(Arguments& arguments) {
   if (has_to) move.to = arguments.Number("to", -kPositionMax, kPositionMax);
   if (auto missing = Missing(arguments)) return *std::move(missing);
   if (!has_from && !has_to) {
-    return MakeError(1, "'from' or 'to' is missing: the position of the switch in pulses",
-                     "缺少“from”或“to”：开关的位置，单位脉冲");
+    return MakeError(1, "'from' or 'to' is missing: the position of the switch",
+                     "缺少“from”或“to”：开关的位置");
   }
   auto done = session_->run().MoveSwitch(number, move.from, move.to);
   if (!done.ok()) return done.error();

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "runtime/observe/thread_status.h"
+#include "session/views.h"
 #include "tests/session/session_support.h"
 
 namespace oncard::session {
@@ -500,6 +501,25 @@ TEST(RewindableRun, SwitchesAreMovedFromTheNextCycleOn) {
   run->GoTo(moved - 1);
   run->Step();
   EXPECT_EQ(ValueOf("home[1]", *run), 0);
+}
+
+// 1000 pulses are a millimetre: 500 to 600 pulses are 0.5 to 0.6 mm.
+TEST(RewindableRun, MovesSwitchesInTheUnitOfTheirAxis) {
+  const auto run =
+      RunOf(kRace,
+            "until_ms = 10\n[[world.axis]]\naxis = 1\nunit = \"mm\"\npulses_per_unit = 1000\n"
+            "[[world.switch]]\naxis = 1\nfrom = 0.5\nto = 0.6\n");
+  const auto contact = [&] { return run->controller().motion().state().switches[0]; };
+  EXPECT_EQ(contact().first, 500);
+  run->AdvanceTo(3);
+  ASSERT_TRUE(run->MoveSwitch(1, -0.25, 2).ok());
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(contact().first, -250);
+  EXPECT_EQ(contact().last, 2000);
+  EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
+  const auto shown = CardView(*run)["switches"][0];
+  EXPECT_EQ(shown["from"], -0.25);
+  EXPECT_EQ(shown["to"], 2);
 }
 
 TEST(RewindableRun, RefusesMovesThatAreNone) {

@@ -178,7 +178,7 @@ export class Engine {
   setVoltage(channel: number, volts: number): Promise<State> {
     return this.#request("set_voltage", { channel, volts });
   }
-  /** In pulses; on one side unlimited without a position. */
+  /** In pulses, or in the unit of its axis; on one side unlimited without a position. */
   moveSwitch(number: number, from?: number, to?: number): Promise<State> {
     return this.#request("move_switch", { switch: number, from, to });
   }

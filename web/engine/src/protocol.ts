@@ -390,7 +390,7 @@ export interface Requests {
        */
       switch: number;
       /**
-       * In pulses.
+       * In pulses, or in the unit of its axis.
        */
       from?: number;
       to?: number;
