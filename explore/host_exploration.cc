@@ -22,10 +22,11 @@ Result<std::vector<Requirement>> ReadSources(const std::vector<runtime::Recorded
     if (!read.ok()) return read.error();
     CommentProblem& problem = read.value();
     if (!problem.scenario.globals.empty()) {
-      return MakeError(1,
-                       "{0} has initial values ('//@ init:'): with the record of a host they are "
-                       "what the host writes",
-                       "{0} 含有初值（“//@ init:”）：使用主机记录时，初值由主机写入", source.path);
+      return MakeError(
+          1,
+          "{0} has initial values ('//@ init:', '//@ input:'): with the record of a host they are "
+          "what the host writes",
+          "{0} 含有初值（“//@ init:”、“//@ input:”）：使用主机记录时，初值由主机写入", source.path);
     }
     const runtime::Scenario& said = problem.scenario;
     if (said.races != runtime::Scenario{}.races) scenario->races = said.races;
