@@ -32,8 +32,10 @@ runtime::PlacedAccess PartyOf(const Findings& findings, const RacingPair::Statem
   return {step.log.thread, step.log.line, statement.writes};
 }
 
-Message DescribeFault(const Subject& subject, const Failure& failure) {
+Message DescribeFault(const Findings& findings, const Failure& failure) {
+  const Subject& subject = findings.subject;
   if (failure.livelock && !failure.fault) {
+    if (!findings.trail.starvation.en.empty()) return findings.trail.starvation;
     return {"livelock: the threads can run for ever without any of them ending",
             "活锁：各线程可以一直运行而都不结束"};
   }
@@ -106,7 +108,7 @@ Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
 std::string SummaryOf(const Findings& findings, const Failure& failure,
                       const std::optional<Culprit>& culprit, Language language) {
   const Trail& trail = findings.trail;
-  Message wrong = DescribeFault(findings.subject, failure);
+  Message wrong = DescribeFault(findings, failure);
   if (!trail.actual.en.empty()) {
     wrong.en += ": " + trail.actual.en;
     wrong.zh += "：" + trail.actual.zh;
@@ -251,7 +253,7 @@ nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
 
 void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json) {
   if (findings.cases) (*json)["choice"] = findings.cases->failing.en;
-  (*json)["reason"] = DescribeFault(findings.subject, failure).en;
+  (*json)["reason"] = DescribeFault(findings, failure).en;
   const Trail& trail = findings.trail;
   if (!trail.actual.en.empty()) (*json)["actual"] = trail.actual.en;
   if (const auto culprit = FindCulprit(findings.subject, failure, trail)) {

@@ -10,6 +10,7 @@
 #include "base/milliseconds.h"
 #include "explore/reports/race_orders.h"
 #include "explore/reports/relevance.h"
+#include "explore/reports/starvation.h"
 #include "runtime/conditions/card_condition.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
@@ -355,6 +356,7 @@ Trail Follow(const Problem& problem, const Failure& failure) {
     trail.actual = DescribeActual(subject, failure, *controller);
   }
   follow(failure.cycle, &trail.cycle);
+  trail.starvation = DescribeStarvation(trail.cycle, subject.image->object);
   trail.orders = BothOrders(problem, failure);
   return trail;
 }

@@ -92,6 +92,7 @@ struct Trail {
   std::vector<TrailStep> cycle;
   std::vector<HostStep> host;      ///< what the host does between these steps
   std::optional<RacingPair> pair;  ///< only if the states are known
+  Message starvation;              ///< of a livelock (starvation.h); empty if it is none
   Message actual;                  ///< `sum is 3, expected 10`; empty if there are no values
   /// Of a response that is not given: the step after which its left side held.
   std::optional<size_t> unanswered;
