@@ -352,6 +352,32 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
 
 namespace {
 
+/// What `auto` does last where a card has too many states: so many random schedules, which do not
+/// depend on the clock.
+constexpr int64_t kLastRuns = 1000;
+constexpr int64_t kLastStatements = 1'000'000;
+
+void TryAtRandom(CardModel* model, const ExploreOptions& options, Exploration* exploration) {
+  const SampleCounts tried = SampleCard(model, {.kind = SamplerKind::kPos,
+                                                .runs = kLastRuns,
+                                                .seed = options.seed,
+                                                .statement_limit = options.depth_limit,
+                                                .all_statements = kLastStatements,
+                                                .until_bad = true,
+                                                .stop = StopOf(options)});
+  if (tried.bad > 0) {
+    exploration->failure = ShrinkCard(model, tried.failing, HurriedOf(options.progress));
+    exploration->verdict = Verdict::kFailed;
+    exploration->engine = EngineKind::kPos;
+    exploration->why = {};
+    return;
+  }
+  const Message more =
+      MakeMessage("; none of {0} random schedules of the engine pos fails",
+                  "；pos 引擎的 {0} 个随机调度均未出错", tried.runs);
+  exploration->why = {exploration->why.en + more.en, exploration->why.zh + more.zh};
+}
+
 Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
@@ -408,6 +434,8 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
     exploration.why =
         WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
                                            "已达到 {0} 个状态的上限", options.state_limit));
+    const bool last_way = options.engine == EngineKind::kAuto && !IsTold(StopOf(options));
+    if (last_way) TryAtRandom(model, options, &exploration);
   } else if (model->horizon()) {
     exploration.verdict = Verdict::kPassed;
   } else {

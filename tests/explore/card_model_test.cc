@@ -239,6 +239,15 @@ TEST(ExploreCard, TellsAProofFromABound) {
   EXPECT_EQ(ExploreCard(&large, {.state_limit = 50}).verdict, Verdict::kIncomplete);
 }
 
+TEST(ExploreCard, AutoTriesRandomSchedulesWhereThereAreTooManyStates) {
+  CardModel large = CardOf(Increments(3, 2), {});
+  EXPECT_EQ(ExploreCard(&large, {.state_limit = 50}).why.en,
+            "the limit of 50 states was reached; none of 1000 random schedules of the engine pos "
+            "fails");
+  EXPECT_EQ(ExploreCard(&large, {.engine = EngineKind::kStateful, .state_limit = 50}).why.en,
+            "the limit of 50 states was reached");
+}
+
 // --- Findings of the supervisor ------------------------------------------------------------------
 
 constexpr const char* kJog =
