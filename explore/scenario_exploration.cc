@@ -83,6 +83,9 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   const bool good = IsGood(exploration.value().verdict);
   Findings findings = FindingsOf(scenario, problem.value(), std::move(exploration).value());
   if (good) findings.untested = UntestedOf(problem.value());
+  if (findings.exploration.verdict == Verdict::kIncomplete) {
+    findings.way_out = WayOutOf(findings.subject, findings.exploration, options, problem.value());
+  }
   return findings;
 }
 
@@ -104,6 +107,9 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   const bool good = IsGood(exploration.verdict);
   Findings findings = FindingsOf(scenario, &model.value(), std::move(exploration));
   if (good) findings.untested = std::move(untested);
+  if (findings.exploration.verdict == Verdict::kIncomplete) {
+    findings.way_out = WayOutOf(findings.subject, findings.exploration, options, &model.value());
+  }
   AddTrace(scenario, model.value().image()->object, &findings);
   return findings;
 }

@@ -71,6 +71,9 @@ class CardSearch {
     result_.graph.complete = complete;
     result_.final_globals = globals_.size();
     result_.final_full = full_.size();
+    const auto earliest = std::ranges::min_element(
+        waiting_, {}, [this](const auto& entry) { return model_.CycleOf(entry.second); });
+    if (earliest != waiting_.end()) result_.open = std::move(earliest->second);
     return std::move(result_);
   }
 

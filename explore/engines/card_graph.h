@@ -2,6 +2,8 @@
 // Deterministic; not thread-safe. Tested by tests/explore/card_model_test.cc.
 #pragma once
 
+#include <optional>
+
 #include "explore/engines/state_graph.h"
 #include "explore/models/card_model.h"
 #include "explore/models/ends.h"
@@ -14,6 +16,8 @@ struct CardGraph {
   int64_t final_globals = 0;  ///< different values of the globals at the end
   int64_t final_full = 0;     ///< the same including the return values of the threads
   EndSet ends;                ///< if there are no requirements on results
+  /// Not complete: of the states whose successors are not known, one with the earliest instant.
+  std::optional<CardModel::State> open;
 };
 
 /// Explores from the start of the run, the states with the fewest statements first.

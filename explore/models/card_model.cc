@@ -214,7 +214,7 @@ void CardModel::BindRaces(runtime::ScenarioErrors* errors) {
   races_ = std::make_shared<const CardRaces>(std::move(ordering), std::move(threads));
 }
 
-std::vector<Message> CardModel::Untested() const {
+std::vector<Message> CardModel::UntestedRequirements() const {
   std::vector<Message> texts;
   for (const BoundRequirement& bound : requirements_) {
     const Scope scope = bound.requirement.scope;
@@ -225,6 +225,20 @@ std::vector<Message> CardModel::Untested() const {
       texts.push_back(runtime::DescribeVacuous(bound.requirement, *bound.guard));
     }
   }
+  return texts;
+}
+
+std::vector<std::string> CardModel::HeldSoFar() const {
+  std::vector<std::string> titles;
+  for (const BoundRequirement& bound : requirements_) {
+    if (!bound.judged || bound.requirement.scope == Scope::kEventually) continue;
+    if (!bound.matters || bound.mattered) titles.push_back(bound.requirement.Title());
+  }
+  return titles;
+}
+
+std::vector<Message> CardModel::Untested() const {
+  std::vector<Message> texts = UntestedRequirements();
   for (Message& late :
        runtime::DescribeLateEvents(scenario_.world, controller_->clock().UsOf(latest_end_), true)) {
     texts.push_back(std::move(late));
@@ -582,6 +596,8 @@ bool CardModel::NextDependOnEachOther(int a, int b) const {
   return FindDependence(NextAccess(*controller_, setup(a).thread),
                         NextAccess(*controller_, setup(b).thread)) != nullptr;
 }
+
+int64_t CardModel::CycleOf(const State& state) { return state.body->values.motion.cycle; }
 
 StateKey CardModel::KeyOf(const State& state) const {
   words_.assign(state.variables.slots.begin(), state.variables.slots.end());

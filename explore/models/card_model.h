@@ -100,6 +100,9 @@ class CardModel {
   const Horizon& horizon() const { return horizon_; }
   /// What none of the runs that were taken has put to the test (runtime/scenario/run/vacuity.h).
   std::vector<Message> Untested() const;
+  /// The part of it that concerns requirements, and those that were checked and have held so far.
+  std::vector<Message> UntestedRequirements() const;
+  std::vector<std::string> HeldSoFar() const;
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
   /// What the supervisor has found in them.
@@ -133,6 +136,8 @@ class CardModel {
   /// The cycle before which the host has made all its calls, in the current state of such a run.
   int64_t host_acted_until() const { return host_acted_until_; }
 
+  /// The cycle in which a state is.
+  static int64_t CycleOf(const State& state);
   /// A key of everything that the future depends on.
   StateKey KeyOf(const State& state) const;
   /// Keys of the final values of the globals, without and with the return values of the threads.

@@ -280,6 +280,10 @@ std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
   entries.push_back({{"by", "工具"},
                      {MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
                                   EngineName(engine))}});
+  const WayOut& way = findings.way_out;
+  entries.push_back({{"reached", "进度"}, way.reached});
+  entries.push_back({{"spent on", "状态用于"}, way.spent});
+  entries.push_back({{"try", "可尝试"}, way.next});
   std::erase_if(entries, [](const ClaimEntry& entry) { return entry.lines.empty(); });
   return entries;
 }
@@ -500,6 +504,12 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     json_horizon["moving_axes"] = NumbersOf(horizon.axes, 1);
     json_horizon["running_threads"] = NumbersOf(horizon.threads, 0);
   }
+  const auto add_way = [&](const char* name, const std::vector<Message>& lines) {
+    for (const Message& line : lines) (*json)[name].push_back(line.en);
+  };
+  add_way("reached", findings.way_out.reached);
+  add_way("spent_on", findings.way_out.spent);
+  add_way("try", findings.way_out.next);
   (*json)["oncard"] = ONCARD_VERSION;
   const auto results = ResultsOf(findings);
   if (!results) return;

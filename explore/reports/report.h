@@ -14,6 +14,7 @@
 #include "explore/models/ends.h"
 #include "explore/reports/statement_texts.h"
 #include "explore/reports/trail.h"
+#include "explore/reports/way_out.h"
 #include "explore/search/explorer.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
@@ -43,6 +44,7 @@ struct Findings {
   std::vector<runtime::RefusedCommand> refused = {};
   /// What a verdict without a failure has not put to the test.
   std::vector<Message> untested = {};
+  WayOut way_out = {};  ///< of an incomplete search
   /// What the supervisor has found in some explored schedule.
   std::vector<runtime::CardFinding> card = {};
   std::optional<CaseSearch> cases = {};

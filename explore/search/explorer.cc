@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/milliseconds.h"
 #include "explore/engines/card_graph.h"
 #include "explore/engines/estimate.h"
 #include "explore/engines/first_look.h"
@@ -372,10 +373,23 @@ void TryAtRandom(CardModel* model, const ExploreOptions& options, Exploration* e
     exploration->why = {};
     return;
   }
-  const Message more =
-      MakeMessage("; none of {0} random schedules of the engine pos fails",
-                  "；pos 引擎的 {0} 个随机调度均未出错", tried.runs);
+  const Message more = MakeMessage("; none of {0} random schedules of the engine pos fails",
+                                   "；pos 引擎的 {0} 个随机调度均未出错", tried.runs);
   exploration->why = {exploration->why.en + more.en, exploration->why.zh + more.zh};
+}
+
+Reached ReachedAt(CardModel* model, const CardModel::State& state) {
+  model->Load(state);
+  const vm::Machine& machine = model->controller().machine();
+  const runtime::Controller& card = model->controller();
+  // The statements of a cycle are executed before the run can end with it.
+  const int64_t complete = std::max<int64_t>(card.cycle() - 1, 0);
+  Reached reached = {card.NowMs(), ToMs(card.clock().UsOf(complete)), {}};
+  for (const ThreadSetup& setup : model->setups()) {
+    const bool runs = machine.thread(setup.thread).run == vm::ThreadRun::kRunning;
+    reached.lines.push_back(runs ? machine.Line(setup.thread) : 0);
+  }
+  return reached;
 }
 
 Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
@@ -434,6 +448,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
     exploration.why =
         WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
                                            "已达到 {0} 个状态的上限", options.state_limit));
+    if (found.open) exploration.reached = ReachedAt(model, *found.open);
     const bool last_way = options.engine == EngineKind::kAuto && !IsTold(StopOf(options));
     if (last_way) TryAtRandom(model, options, &exploration);
   } else if (model->horizon()) {

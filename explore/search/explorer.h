@@ -86,14 +86,22 @@ struct ExploreOptions {
   SearchProgress* progress = nullptr;  ///< progress, readable from another thread
 };
 
+/// Up to where the search of a card's states has come.
+struct Reached {
+  double at_ms = 0;        ///< every schedule was searched up to this instant
+  double until_ms = 0;     ///< with this `until_ms` the search would have been complete
+  std::vector<int> lines;  ///< of a state there: where each thread is; 0 if it does not run
+};
+
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the engine that reached the verdict
   /// Two engines ran beside each other: which one reached the verdict, and what the other one had
   /// counted by then, depends on the clock.
   bool paired = false;
-  Message why;      ///< kPassed, kIncomplete: the bound that was reached
-  Horizon horizon;  ///< with a card: what goes on where its runs end
+  Message why;                     ///< kPassed, kIncomplete: the bound that was reached
+  std::optional<Reached> reached;  ///< kIncomplete, with a card: by its states
+  Horizon horizon;                 ///< with a card: what goes on where its runs end
   std::optional<TraceCounts> traces;
   TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete
   std::optional<StateCounts> states;

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-Findings FindingsOf(const Problem& problem, const Exploration& exploration,
-                    const std::string& source = {}) {
+Findings FindingsWith(const Problem& problem, const Exploration& exploration,
+                      const std::string& source = {}) {
   Findings findings = {SubjectOf(problem), exploration, {}, {source}};
   if (exploration.failure) findings.trail = Follow(problem, *exploration.failure);
   return findings;
@@ -39,8 +39,8 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
   EXPECT_EQ(
-      TextReport(FindingsOf(problem, exploration.value(), source), Language::kEnglish),
-      "FAILED\n" + ClaimText(FindingsOf(problem, exploration.value()), Language::kEnglish) +
+      TextReport(FindingsWith(problem, exploration.value(), source), Language::kEnglish),
+      "FAILED\n" + ClaimText(FindingsWith(problem, exploration.value()), Language::kEnglish) +
           "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
           "\n"
           "final: x == 2 does not hold: x is 1, expected 2\n"
@@ -62,7 +62,7 @@ TEST(ReportTest, AFullOneShowsEveryStatement) {
   const std::string source = Increments(2, 1);
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
-  const std::string text = TextReport(FindingsOf(problem, exploration.value(), source),
+  const std::string text = TextReport(FindingsWith(problem, exploration.value(), source),
                                       Language::kEnglish, {.full = true});
   EXPECT_THAT(text, HasSubstr("     6     6  t = t + 1;   [t = 0]   t: 0 -> 1\n"));
   EXPECT_THAT(text, Not(HasSubstr("left out")));
@@ -70,15 +70,14 @@ TEST(ReportTest, AFullOneShowsEveryStatement) {
 
 // Only the text says that executions were counted: the numbers are the same.
 TEST(ReportTest, CountedExecutionsAreNotCalledExecuted) {
-  const Findings findings = explore::FindingsOf(Writers(8), ExploreOptions{.state_limit = 10});
+  const Findings findings = FindingsOf(Writers(8), ExploreOptions{.state_limit = 10});
   EXPECT_THAT(TextReport(findings, Language::kEnglish),
               HasSubstr("\ndpor: 40320 executions, counted without executing each; 0 bad, 8 "
                         "different ends\n"));
   EXPECT_THAT(TextReport(findings, Language::kChinese),
               HasSubstr("\ndpor：40320 次执行（由计数得出，并未逐一执行），错误 0，不同结局 8\n"));
   auto json = nlohmann::json::parse(JsonReport(findings));
-  const Findings executed =
-      explore::FindingsOf(Writers(8), ExploreOptions{.engine = EngineKind::kDpor});
+  const Findings executed = FindingsOf(Writers(8), ExploreOptions{.engine = EngineKind::kDpor});
   const auto of_executed = nlohmann::json::parse(JsonReport(executed));
   for (const auto& [key, value] : of_executed.items()) EXPECT_EQ(json[key], value) << key;
 }
@@ -86,7 +85,7 @@ TEST(ReportTest, CountedExecutionsAreNotCalledExecuted) {
 TEST(ReportTest, JsonHasTheCounts) {
   const Problem problem = ProblemOf(Increments(2, 1));
   const auto exploration = Explore(problem, {});
-  const auto json = nlohmann::json::parse(JsonReport(FindingsOf(problem, exploration.value())));
+  const auto json = nlohmann::json::parse(JsonReport(FindingsWith(problem, exploration.value())));
   EXPECT_EQ(json["verdict"], "FAILED");
   EXPECT_EQ(json["executions"], 4);
   EXPECT_EQ(json["blocked"], 0);
@@ -114,11 +113,11 @@ TEST(ReportTest, APageDoesNotShowWhichEngineAnswered) {
     std::string source = Increments(3, 2);
     source = requirement + source.substr(0, source.find("//@")) +
              source.substr(source.find('\n', source.find("//@")) + 1);
-    const Findings both = explore::FindingsOf(source, {});
+    const Findings both = FindingsOf(source, {});
     ASSERT_EQ(both.exploration.verdict, Verdict::kProved);
-    const Findings traces = explore::FindingsOf(source, {.state_limit = 10});
+    const Findings traces = FindingsOf(source, {.state_limit = 10});
     ASSERT_EQ(traces.exploration.engine, EngineKind::kDpor);
-    const Findings states = explore::FindingsOf(source, {.execution_limit = 10});
+    const Findings states = FindingsOf(source, {.execution_limit = 10});
     ASSERT_EQ(states.exploration.engine, EngineKind::kStateful);
     const std::string page = HtmlReport(both, Language::kEnglish);
     EXPECT_EQ(HtmlReport(traces, Language::kEnglish), page);
@@ -130,7 +129,7 @@ TEST(ReportTest, ThePageNeedsNothingElse) {
   const std::string source = Increments(2, 1);
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
-  const Findings findings = FindingsOf(problem, exploration.value(), source);
+  const Findings findings = FindingsWith(problem, exploration.value(), source);
   const std::string page = HtmlReport(findings, Language::kEnglish);
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, Not(HasSubstr("http")));
@@ -147,7 +146,7 @@ TEST(ReportTest, TraceEventsHaveABarPerStatement) {
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
   const auto json =
-      nlohmann::json::parse(ChromeReport(FindingsOf(problem, exploration.value(), source)));
+      nlohmann::json::parse(ChromeReport(FindingsWith(problem, exploration.value(), source)));
   const auto& events = json["traceEvents"];
   ASSERT_EQ(events.size(), 2u + 8u);
   EXPECT_EQ(events[0]["args"]["name"], "thread 0 t0");
