@@ -85,6 +85,7 @@ void Checker::CheckFunction(const Function& syntax) {
   OpenBlock(nullptr);
   declarations_.CheckParameters(syntax);
   state.places.parameter_slots = state.slots;
+  state.places.body = {syntax.open_brace.file, syntax.open_brace.begin, syntax.close_brace.end};
   // The temporaries of rewritten statements are declared after the last declaration.
   for (const StatementPtr& item : syntax.body) {
     if (item->kind == Statement::Kind::kMacro) continue;

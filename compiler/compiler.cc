@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "compiler/asserts.h"
 #include "compiler/checker.h"
 #include "compiler/dialect.h"
 #include "compiler/directives.h"
@@ -97,6 +98,9 @@ Compilation CompileCardText(const std::string& path, std::string text, const Opt
   // file would report the same again.
   if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
 
+  if (!reporter.HasErrors()) {
+    PlaceAsserts(directives.files(), checker.places(), &object, reporter);
+  }
   if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), *options.catalogue, reporter);
   ApplyWarningOptions(options, reporter);
 

@@ -23,13 +23,16 @@ inline constexpr std::string_view kStructuredLine = "//@ structured";
 bool WantsStructured(std::string_view text);
 
 /// How a line begins, after blanks, that is a comment for a tool: the explorer's requirements
-/// (explore/models/problem.h).
+/// (explore/models/problem.h), and asserts.
 inline constexpr std::string_view kToolComment = "//@";
 
-/// Calls `visit` with the number and the text of every line that is a comment for a tool. A first
-/// line `//@ structured` is for the compiler.
+/// True for a line `//@ assert`, with or without a condition.
+bool IsAssertComment(std::string_view line);
+
+/// Calls `visit` with the number and the text of every line that is a comment for a tool, asserts
+/// too. A first line `//@ structured` is for the compiler.
 template <typename Visit>
-void ForEachToolComment(std::string_view source, const Visit& visit) {
+void ForEachCommentLine(std::string_view source, const Visit& visit) {
   int number = 1;
   for (size_t begin = 0; begin < source.size(); ++number) {
     const size_t end = std::min(source.find('\n', begin), source.size());
@@ -38,6 +41,24 @@ void ForEachToolComment(std::string_view source, const Visit& visit) {
     if (number == 1 && WantsStructured(line)) continue;
     if (Trim(line).starts_with(kToolComment)) visit(number, line);
   }
+}
+
+/// The same without asserts.
+template <typename Visit>
+void ForEachToolComment(std::string_view source, const Visit& visit) {
+  ForEachCommentLine(source, [&visit](int number, std::string_view line) {
+    if (!IsAssertComment(line)) visit(number, line);
+  });
+}
+
+/// Calls `visit` with the comment and the condition of every assert; the condition may be empty.
+template <typename Visit>
+void ForEachAssertComment(std::string_view source, const Visit& visit) {
+  ForEachCommentLine(source, [&visit](int /*number*/, std::string_view line) {
+    if (!IsAssertComment(line)) return;
+    const size_t colon = std::min(line.find(':'), line.size() - 1);
+    visit(Trim(line), Trim(line.substr(colon + 1)));
+  });
 }
 
 }  // namespace oncard::compiler

@@ -17,6 +17,7 @@ namespace oncard::compiler {
 struct FunctionPlaces {
   std::vector<SourceRange> statements;  ///< of each instruction
   uint16_t parameter_slots = 0;         ///< the host writes these
+  SourceRange body = {};                ///< from the opening brace to the closing one
 };
 
 /// Reports the warnings of a program without errors; `places` has a row for each function, and the

@@ -76,6 +76,14 @@ struct Symbol {
   uint16_t slots() const { return array_size == 0 ? 1 : array_size; }
 };
 
+/// What its source says must hold whenever a thread executes a statement: `//@ assert: x < 3`
+/// before it. The files of an object do not have it.
+struct Assert {
+  uint16_t position = 0;  ///< of the statement in its function, from 0
+  std::string condition;  ///< `x < 3`
+  bool operator==(const Assert&) const = default;
+};
+
 struct Function {
   std::string name;
   std::string file;  ///< source file that defines it, as written in the `.ini`
@@ -83,6 +91,7 @@ struct Function {
   std::vector<Instruction> instructions;
   std::vector<uint16_t> lines;    ///< source line of each instruction; 0 = unknown
   std::vector<Symbol> variables;  ///< parameters, then locals, in order of declaration
+  std::vector<Assert> asserts;    ///< by position
   bool operator==(const Function&) const = default;
 };
 

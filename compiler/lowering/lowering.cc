@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compiler/asserts.h"
 #include "compiler/lowering/costs.h"
 #include "compiler/lowering/lowerer.h"
 #include "compiler/lowering/passes/passes.h"
@@ -68,6 +69,18 @@ void MoveLines(SourceRange header, const std::deque<SourceFile>& files,
   }
 }
 
+// The passes may remove what an assert names, and the statement that it stands before.
+void RefuseAsserts(const std::deque<SourceFile>& files, Reporter& reporter) {
+  for (const AssertComment& comment : FindAsserts(files)) {
+    AddNote(reporter.Report(Code::kMisplacedAssert, comment.range,
+                            Message{"stands in structured C, where it is not checked",
+                                    "位于结构化 C 中，不会被检查"}),
+            MakeMessage("write it in the program that 'oncard lower' makes, or use '//@ always:' "
+                        "outside of functions",
+                        "请写在“oncard lower”生成的程序中，或在函数之外使用 '//@ always:'"));
+  }
+}
+
 }  // namespace
 
 Lowering LowerText(const std::string& path, std::string text, const Options& options,
@@ -75,6 +88,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   Reporter reporter;
   StructuredSource source(path, std::move(text), options, reader, reporter);
   Lowering result;
+  RefuseAsserts(source.files(), reporter);
   if (!reporter.HasErrors()) {
     lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
                                                   reporter, lowering_options.optimize)

@@ -70,7 +70,7 @@ TEST(ExplainSearch, SaysWhatToTry) {
     const char* advice;
   };
   const Case cases[] = {
-      {"141", "there are MP000 to MP050, MP100 to MP140"},
+      {"142", "there are MP000 to MP050, MP100 to MP141"},
       {"undeclard", "did you mean 'undeclared'?"},
       {"Wile-Loop", "did you mean 'while-loop'?"},
       {"quaternion", "a word such as goto"},

@@ -143,7 +143,7 @@ TEST(ExplainPageTest, OverviewOfStructuredCIsPlainTextOf80Columns) {
 }
 
 TEST(ExplainPageTest, UnknownCodesHaveNone) {
-  for (const int code : {-1, 51, 99, 141, 1000}) {
+  for (const int code : {-1, 51, 99, 142, 1000}) {
     EXPECT_EQ(ExplainPage(code, Language::kEnglish), std::nullopt) << code;
     EXPECT_EQ(ExplainPage(code, Language::kChinese), std::nullopt) << code;
   }

@@ -336,7 +336,8 @@ void AddCall(const Command& command, const std::string& function, uint64_t* rand
                                    .file = "f.c",
                                    .instructions = {instruction, give},
                                    .lines = {1, 2},
-                                   .variables = {}});
+                                   .variables = {},
+                                   .asserts = {}});
 }
 
 OneCall MakeCall(const Command& command, uint64_t* random) {
