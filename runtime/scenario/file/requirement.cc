@@ -29,7 +29,9 @@ const ScopeKey& KeyOf(Scope scope) { return kScopes[static_cast<size_t>(scope)];
 
 }  // namespace
 
-std::string_view ScopeName(Scope scope) { return KeyOf(scope).name; }
+std::string_view ScopeName(Scope scope) {
+  return scope == Scope::kAssert ? "assert" : KeyOf(scope).name;
+}
 
 std::optional<Scope> ScopeNamed(std::string_view name) {
   for (const ScopeKey& key : kScopes) {

@@ -28,15 +28,16 @@ enum class Scope : uint8_t {
   kEventually,  ///< some state of every run
   // Responses: a state with the left side, then this or a later one with the right side.
   kLeads,
-  kWithin  ///< whose clock is at most `within_us` greater
+  kWithin,  ///< whose clock is at most `within_us` greater
+  kAssert   ///< those in which a thread executes the statement behind the comment
 };
 
 /// `p -> q`: the condition of a response, and the one that must follow.
 inline constexpr std::string_view kArrow = "->";
 
-/// `final`, `always`, `never`, `eventually`, `leads`, `within`.
+/// `final`, `always`, `never`, `eventually`, `leads`, `within`, `assert`.
 std::string_view ScopeName(Scope scope);
-/// The scope with that name.
+/// The scope that scenarios and comments for the explorer give that name.
 std::optional<Scope> ScopeNamed(std::string_view name);
 
 /// A requirement as written.
@@ -49,6 +50,7 @@ struct Requirement {
   TextPlace then_place = {};
   int64_t within_us = 0;  ///< kWithin
   TextPlace time_place = {};
+  std::string at = {};  ///< kAssert: the statement, `pick.c:31`
 
   bool IsResponse() const { return scope == Scope::kLeads || scope == Scope::kWithin; }
   /// `x < 3`, `p -> q`.

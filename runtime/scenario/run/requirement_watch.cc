@@ -22,7 +22,7 @@ bool NamesProgram(const CardCondition& condition) {
 }  // namespace
 
 RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
-    : program_path_(std::move(program_path)) {
+    : program_path_(std::move(program_path)), asserts_(program_path_) {
   for (Requirement& requirement : requirements) {
     observes_states_ = observes_states_ || requirement.scope != Scope::kFinal;
     auto guard = GuardOf(requirement);
@@ -35,6 +35,8 @@ RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::s
 // --- Names ---------------------------------------------------------------------------------------
 
 void RequirementWatch::Begin(const Controller& controller, ScenarioErrors* errors) {
+  asserts_.Begin(controller, errors);
+  failed_asserts_.assign(asserts_.asserts().size(), false);
   std::vector<Requirement> requirements;
   for (const Watched& watched : watched_) requirements.push_back(watched.requirement);
   auto conditions = ReadRequirements<CardCondition>(requirements, controller, errors);
@@ -97,6 +99,7 @@ void RequirementWatch::BindGuard(const Controller& controller, Watched* watched)
 // --- States --------------------------------------------------------------------------------------
 
 void RequirementWatch::ObserveState(const Controller& controller) {
+  ObserveAsserts(controller);
   for (Watched& watched : watched_) {
     const Scope scope = watched.requirement.scope;
     if (watched.settled() || !watched.condition || scope == Scope::kFinal) continue;
@@ -131,6 +134,15 @@ void RequirementWatch::ObserveResponse(const Controller& controller, Watched* wa
                                      watched->then->DescribeValues(controller)));
   } else if (watched->owed.pending && !waited) {
     watched->since = Place(controller);
+  }
+}
+
+void RequirementWatch::ObserveAsserts(const Controller& controller) {
+  for (const FailedAssert& failed : asserts_.AfterStatements(controller)) {
+    if (failed_asserts_[failed.number]) continue;
+    failed_asserts_[failed.number] = true;
+    const Requirement& requirement = asserts_.asserts()[failed.number];
+    failures_.push_back({requirement.Title(), Describe(failed, requirement)});
   }
 }
 
@@ -224,6 +236,8 @@ std::vector<Message> RequirementWatch::DescribeHeld() const {
         held.push_back(MakeMessage("'{0}': held at the end, {1} ms",
                                    "“{0}”：在结束时（{1} ms）成立", title, *watched.held_ms));
         break;
+      case Scope::kAssert:  // in asserts_
+        break;
     }
   }
   return held;
@@ -235,6 +249,7 @@ std::vector<Message> RequirementWatch::DescribeVacuous() const {
     if (watched.violated || watched.mattered || watched.states == 0 || !watched.matters) continue;
     vacuous.push_back(runtime::DescribeVacuous(watched.requirement, *watched.guard));
   }
+  for (Message& untested : asserts_.DescribeUntested()) vacuous.push_back(std::move(untested));
   return vacuous;
 }
 

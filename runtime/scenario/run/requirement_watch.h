@@ -1,6 +1,7 @@
 // Checks a scenario's requirements in one run: `always` and `never` in every state of the run,
-// `eventually` and `final`, and responses. The program of a run is there from the beginning
-// (Begin()); that of a host comes when the host downloads it, and can change (Follow()). Tested by
+// `eventually` and `final`, and responses; and the asserts of the program (assert_watch.h). The
+// program of a run is there from the beginning (Begin()); that of a host comes when the host
+// downloads it, and can change (Follow()): it has no asserts. Tested by
 // tests/runtime/requirement_watch_test.cc.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include "runtime/conditions/card_condition.h"
 #include "runtime/conditions/program_names.h"
 #include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/run/assert_watch.h"
 #include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_watch.h"
 #include "runtime/scenario/run/scenario_run.h"
@@ -30,7 +32,7 @@ class RequirementWatch : public RunWatch {
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path);
 
   void Begin(const Controller& controller, ScenarioErrors* errors) override;
-  bool ObservesStates() const override { return observes_states_; }
+  bool ObservesStates() const override { return observes_states_ || !asserts_.empty(); }
   void ObserveState(const Controller& controller) override;
   void End(const Controller& controller) override;
 
@@ -44,10 +46,11 @@ class RequirementWatch : public RunWatch {
   void AddUnchecked(const Message& prefix, ScenarioErrors* errors) const;
   /// What has been checked and has held, and in which states, one text for each requirement.
   std::vector<Message> DescribeHeld() const;
-  /// Of what has been checked: the requirements whose right side mattered in no state (vacuity.h).
+  /// Of what has been checked: the requirements whose right side mattered in no state (vacuity.h),
+  /// and the asserts whose statements were not executed.
   std::vector<Message> DescribeVacuous() const;
 
-  /// The requirements that did not hold, in the order in which they failed, each once.
+  /// The requirements and asserts that did not hold, in the order in which they failed, each once.
   const std::vector<ScenarioFailure>& failures() const { return failures_; }
 
  private:
@@ -85,12 +88,15 @@ class RequirementWatch : public RunWatch {
   /// Binds the guard of a requirement whose condition is bound.
   static void BindGuard(const Controller& controller, Watched* watched);
   void Fail(Watched* watched, Message message);
+  void ObserveAsserts(const Controller& controller);
   /// A description of the current point of the run: after which statement, and when.
   Message Place(const Controller& controller) const;
   void RememberThreads(const Controller& controller);
 
   std::string program_path_;
   std::vector<Watched> watched_;
+  AssertWatch asserts_;
+  std::vector<bool> failed_asserts_;  ///< those that are in failures_
   bool observes_states_ = false;
   std::optional<Names> names_;  ///< those that Follow() has seen last
   /// For every thread at the last check: the number of statements executed, and the next statement.
