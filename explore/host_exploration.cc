@@ -17,6 +17,14 @@ Result<std::vector<Requirement>> ReadSources(const std::vector<runtime::Recorded
                                              runtime::Scenario* scenario) {
   std::vector<Requirement> requirements;
   for (const runtime::RecordedSource& source : sources) {
+    if (const int line = FirstAssertLine(source.text); line != 0) {
+      return MakeError(1,
+                       "{0}:{1}: the record of a host has the program as an object file, which has "
+                       "no asserts: write '//@ always:' outside of functions, or remove it",
+                       "{0}:{1}：主机记录中的程序是目标文件，其中没有断言：请在函数之外使用“//@ "
+                       "always:”，或去掉该断言",
+                       source.path, line);
+    }
     if (FirstCommentLine(source.text) == 0) continue;
     auto read = ReadCommentLines(source.path, source.text);
     if (!read.ok()) return read.error();

@@ -221,6 +221,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   }
   runtime::CheckTimes(all, scenario, controller.machine().image()->object, &errors);
   Problem problem = BindProblem(std::move(model).value(), all, &errors);
+  AddAsserts(runtime::ProgramPath(scenario), &problem, &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   problem.sync = std::move(sync);
   problem.races = *RaceRuleNamed(scenario.races);

@@ -6,12 +6,13 @@
 #include "explore/models/problem.h"
 #include "runtime/scenario/file/placed_errors.h"
 #include "runtime/scenario/file/requirement.h"
+#include "runtime/scenario/run/assert_watch.h"
 
 namespace oncard::explore {
 
 Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
                          runtime::Scenario* scenario) {
-  if (FirstCommentLine(source) == 0) return {};
+  if (FirstCommentLine(source) == 0 && !runtime::HasAsserts(object)) return {};
   const bool binds =
       scenario->threads.empty() &&
       std::ranges::find(object.functions, "t0", &vm::Function::name) != object.functions.end();

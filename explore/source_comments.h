@@ -19,7 +19,7 @@ Result<void> AddComments(const std::string& path, std::string_view source, const
                          runtime::Scenario* scenario);
 
 /// A warning if the source of a scenario's program has such comments: they are ignored, because the
-/// scenario states the requirements.
+/// scenario states the requirements. Asserts are not meant: they always count.
 std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
                                               std::string_view source);
 

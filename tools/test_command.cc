@@ -7,6 +7,7 @@
 #include "explore/scenario_exploration.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
+#include "runtime/scenario/run/assert_watch.h"
 #include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/requirement_watch.h"
 #include "tools/commands.h"
@@ -236,7 +237,7 @@ TestOutcome RunTest(TestOutcome outcome, const std::string& scratch, const Testi
         explore::DescribeUnusedComments(scenario.value(), load.compilation->files[0].text());
     if (unused) outcome.warnings.push_back(*unused);
   }
-  if (!explore::ChecksSomething(scenario.value())) {
+  if (!explore::ChecksSomething(scenario.value()) && !runtime::HasAsserts(*load.object)) {
     outcome.nothing = {"checks nothing: it has no expectation and no requirement",
                        "未检查任何内容：既没有期望也没有要求"};
   }

@@ -67,7 +67,7 @@ bool CountAll(const Problem& problem, const TraceSearchLimits& limits, size_t pa
       .depth = limits.depth,
       .tells_locals = std::ranges::any_of(problem.requirements, sees_locals),
       .stop = limits.stop};
-  const auto found = CountTraces(problem.model, of_count, [&](const Model& state) {
+  const auto found = CountTraces(ModelOfTraces(problem), of_count, [&](const Model& state) {
     ends.Add(problem, state);
     *bad = static_cast<bool>(FindFault(problem, state));
     return !*bad;
@@ -95,11 +95,13 @@ TraceCounts TraceSearch::Counts() const {
 }
 
 void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, TraceSearch* search) {
-  Model model = problem.model;
+  Model model = ModelOfTraces(problem);
   model.TrackKey(false);
+  const bool bad_at_once = static_cast<bool>(FindFault(problem, model));
   FoundEnds ends;
   ProgramWalk walk(problem);
   const auto goes_wrong = [&](TraceEnd* end) {
+    if (bad_at_once) return true;
     if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, end->State()));
     walk.Restart();
     for (const uint8_t thread : end->Threads()) {

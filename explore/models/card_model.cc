@@ -72,7 +72,8 @@ StateKey KeyOfWords(const std::vector<int64_t>& words) {
 CardModel::CardModel(const runtime::Scenario& scenario)
     : scenario_(scenario),
       controller_(std::make_unique<runtime::Controller>(runtime::CardOptions(scenario))),
-      supervisor_(std::make_unique<runtime::Supervisor>(controller_.get())) {
+      supervisor_(std::make_unique<runtime::Supervisor>(controller_.get())),
+      asserts_(runtime::ProgramPath(scenario)) {
   controller_->CollectRefusals(refused_.get());
 }
 
@@ -136,6 +137,7 @@ void CardModel::KeepThreads(std::vector<ThreadSetup> threads) {
 
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
                                  runtime::ScenarioErrors* errors) {
+  asserts_.Begin(*controller_, errors);
   for (const runtime::Expectation& expectation : scenario_.expectations) {
     if (!errors->CanJudge(expectation.text())) continue;
     auto bound = runtime::CardCondition::Bind(expectation.condition, *controller_);
@@ -225,6 +227,7 @@ std::vector<Message> CardModel::UntestedRequirements() const {
       texts.push_back(runtime::DescribeVacuous(bound.requirement, *bound.guard));
     }
   }
+  for (Message& untested : asserts_.DescribeUntested()) texts.push_back(std::move(untested));
   return texts;
 }
 
@@ -255,6 +258,8 @@ std::vector<Message> CardModel::Untested() const {
 std::vector<Requirement> CardModel::Requirements() const {
   std::vector<Requirement> requirements;
   for (const BoundRequirement& bound : requirements_) requirements.push_back(bound.requirement);
+  const std::vector<Requirement>& asserts = asserts_.asserts();
+  requirements.insert(requirements.end(), asserts.begin(), asserts.end());
   return requirements;
 }
 
@@ -391,6 +396,14 @@ void CardModel::NoteWait(State* state, int thread) const {
   state->races = std::move(noted);
 }
 
+Fault CardModel::JudgeAsserts(int thread) {
+  auto failed = asserts_.BeforeStatement(*controller_, setup(thread).thread);
+  if (!failed) return {};
+  assert_values_ = std::move(failed->values);
+  return {Fault::Kind::kRequirement, static_cast<int>(requirements_.size() + failed->number),
+          thread};
+}
+
 void CardModel::Execute(State* state, int thread) {
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
@@ -398,12 +411,13 @@ void CardModel::Execute(State* state, int thread) {
   --state->left;
   state->served |= 1u << number;
   state->choices = 0;
+  state->fault = JudgeAsserts(thread);
   machine.ExecuteOne(number);
   // Threads that wake up at the end of their code finish.
   machine.Execute(0);
   NoteWait(state, thread);
   JudgeThreads(state);
-  if (has_invariants_) JudgeState(state);
+  if (has_invariants_ && !state->fault) JudgeState(state);
   if (race && !state->fault) {
     state->fault.kind = Fault::Kind::kRace;
     state->fault.race = race;
@@ -414,7 +428,7 @@ void CardModel::Execute(State* state, int thread) {
 int64_t CardModel::AdvanceAlone(State* state, int thread, int64_t most) {
   vm::Machine& machine = controller_->machine();
   const auto runs = [](const ThreadState& each) { return each.run == vm::ThreadRun::kRunning; };
-  if (has_invariants_ || races_ != nullptr ||
+  if (has_invariants_ || races_ != nullptr || !asserts_.empty() ||
       std::ranges::count_if(machine.state().threads, runs) != 1) {
     Advance(state, thread);
     return 1;

@@ -30,6 +30,7 @@
 #include "explore/models/state_key.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/assert_watch.h"
 #include "runtime/scenario/run/response.h"
 #include "runtime/scenario/run/run_course.h"
 #include "runtime/scenario/run/vacuity.h"
@@ -82,7 +83,8 @@ class CardModel {
   const ThreadSetup& setup(int thread) const { return setups_[static_cast<size_t>(thread)]; }
   const std::vector<ThreadSetup>& setups() const { return setups_; }
   const std::shared_ptr<const vm::Image>& image() const { return image_; }
-  /// What must hold: the scenario's expectations, then the requirements.
+  /// What must hold: the scenario's expectations, then the requirements, then the asserts of the
+  /// program.
   std::vector<Requirement> Requirements() const;
   /// What a state owes to a response, by its number among Requirements(), which the state has
   /// violated, or owes at the end of its run.
@@ -90,7 +92,9 @@ class CardModel {
   /// The statements that had been executed before the first state.
   int64_t executed_before() const { return initial_.executed; }
   /// True when there are none.
-  bool asks_nothing() const { return requirements_.empty(); }
+  bool asks_nothing() const { return requirements_.empty() && asserts_.empty(); }
+  /// The values of what the assert named that failed last, in the state before its statement.
+  const Message& assert_values() const { return assert_values_; }
   /// What the recorded host does; nullptr: there is none.
   const std::shared_ptr<const HostEvents>& host() const { return host_; }
   /// The card, as the last Start(), Step() or Load() left it.
@@ -192,6 +196,8 @@ class CardModel {
   Race NoteRaces(State* state, int thread) const;
   /// Notes that the statement has begun to wait for a variable.
   void NoteWait(State* state, int thread) const;
+  /// The fault of a thread's next statement if an assert before it does not hold.
+  Fault JudgeAsserts(int thread);
   /// Executes a statement and what then happens without threads.
   void Execute(State* state, int thread);
   /// Returns the statements of the cycle.
@@ -219,8 +225,10 @@ class CardModel {
   std::vector<BoundRequirement> requirements_;
   std::shared_ptr<const CardRaces> races_;  ///< before the first statement; nullptr: any is allowed
   uint32_t fault_expected_ = 0;             ///< threads whose error an expectation names
-  bool has_invariants_ = false;             ///< or kEventually
-  bool watches_card_ = false;  ///< a requirement on every state names more than the program
+  runtime::AssertWatch asserts_;
+  Message assert_values_;
+  bool has_invariants_ = false;  ///< or kEventually
+  bool watches_card_ = false;    ///< a requirement on every state names more than the program
   Horizon horizon_;
   int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
   runtime::RunBounds bounds_;

@@ -173,6 +173,52 @@ Model::Statement Model::Translate(const vm::Instruction& instruction, const Thre
   return statement;
 }
 
+// --- Checks --------------------------------------------------------------------------------------
+
+void Model::CheckBefore(int thread, size_t position, StatementCheck check) {
+  Statement& statement = threads_[Index(thread)].statements[position];
+  checks_are_local_ = checks_are_local_ && !check.sees_others;
+  checks_.push_back(std::move(check));
+  AddCheck(static_cast<uint32_t>(checks_.size() - 1), &statement, &statement.before);
+}
+
+void Model::CheckAfterWrites(const StatementCheck& check) {
+  checks_are_local_ = checks_are_local_ && !check.sees_others && check.locals.empty();
+  checks_.push_back(check);
+  const auto number = static_cast<uint32_t>(checks_.size() - 1);
+  for (Thread& thread : threads_) {
+    for (Statement& statement : thread.statements) {
+      const Operand& target = statement.target;
+      const uint32_t end = target.cell + (target.place == Place::kElement ? target.size : 1);
+      const bool writes = target.shared && std::ranges::any_of(check.globals, [&](uint32_t cell) {
+                            return cell >= target.cell && cell < end;
+                          });
+      if (writes) AddCheck(number, &statement, &statement.after);
+    }
+  }
+}
+
+void Model::AddCheck(uint32_t check, Statement* statement, std::vector<uint32_t>* list) {
+  list->push_back(check);
+  statement->shared = statement->shared || !checks_[check].globals.empty();
+  std::vector<uint32_t> cells;
+  for (const std::vector<uint32_t>* each : {&statement->before, &statement->after}) {
+    for (const uint32_t other : *each) {
+      cells.insert(cells.end(), checks_[other].globals.begin(), checks_[other].globals.end());
+    }
+  }
+  std::ranges::sort(cells);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  if (cells.size() > AccessSet::kCheckedMax) checks_are_local_ = false;
+}
+
+std::optional<int64_t> Model::FailedOf(const std::vector<uint32_t>& checks) const {
+  for (const uint32_t check : checks) {
+    if (!checks_[check].holds(*this)) return kFirstCheck + checks_[check].requirement;
+  }
+  return std::nullopt;
+}
+
 bool Model::HasLoops() const {
   return std::ranges::any_of(threads_, [](const Thread& thread) {
     return std::ranges::any_of(thread.statements, [](const Statement& statement) {
@@ -203,6 +249,17 @@ void Model::Note(const Operand& operand, bool written, AccessSet* set) const {
 }
 
 AccessSet Model::NextAccess(int thread) const {
+  AccessSet set = NextOwnAccess(thread);
+  const Statement& statement = NextStatement(threads_[Index(thread)]);
+  for (const std::vector<uint32_t>* list : {&statement.before, &statement.after}) {
+    for (const uint32_t check : *list) {
+      for (const uint32_t cell : checks_[check].globals) set.ReadToCheck(cell);
+    }
+  }
+  return set;
+}
+
+AccessSet Model::NextOwnAccess(int thread) const {
   const Statement& statement = NextStatement(threads_[Index(thread)]);
   AccessSet set;
   Note(statement.a, false, &set);
@@ -246,11 +303,12 @@ StateKey Model::FinalKey() const {
 // --- Parts of the state ------------------------------------------------------------------------
 
 bool Model::AccessesAreLocal() const {
-  return std::ranges::none_of(threads_, [](const Thread& thread) {
-    return std::ranges::any_of(thread.statements, [](const Statement& statement) {
-      return statement.a.index_shared || statement.b.index_shared || statement.target.index_shared;
-    });
-  });
+  return checks_are_local_ && std::ranges::none_of(threads_, [](const Thread& thread) {
+           return std::ranges::any_of(thread.statements, [](const Statement& statement) {
+             return statement.a.index_shared || statement.b.index_shared ||
+                    statement.target.index_shared;
+           });
+         });
 }
 
 std::span<const int64_t> Model::ThreadCells(int thread) const {
@@ -296,8 +354,8 @@ void Model::Replace(uint32_t cell, int64_t value) {
   cells_[cell] = value;
 }
 
-void Model::Finish(int thread, ThreadEnd end) {
-  Write(threads_[Index(thread)].end_cell, static_cast<int64_t>(end));
+void Model::Finish(int thread, int64_t end) {
+  Write(threads_[Index(thread)].end_cell, end);
   runnable_ &= ~(1u << thread);
 }
 
@@ -347,8 +405,21 @@ void Model::Step(int thread) {
   marks_.push_back({static_cast<uint32_t>(journal_.size()), runnable_,
                     static_cast<uint32_t>(cells_[taking.position_cell]),
                     static_cast<uint8_t>(thread), key_});
-  const ThreadEnd end = Execute(NextStatement(taking), taking);
-  if (end != ThreadEnd::kRunning) Finish(thread, end);
+  const Statement& statement = NextStatement(taking);
+  const bool checked = !statement.before.empty() || !statement.after.empty();
+  const int64_t end = checked ? ExecuteChecked(statement, taking)
+                              : static_cast<int64_t>(Execute(statement, taking));
+  if (end != static_cast<int64_t>(ThreadEnd::kRunning)) Finish(thread, end);
+}
+
+int64_t Model::ExecuteChecked(const Statement& statement, const Thread& thread) {
+  if (const auto failed = FailedOf(statement.before)) return *failed;
+  const ThreadEnd end = Execute(statement, thread);
+  if (Fails(end)) return static_cast<int64_t>(end);
+  const auto failed = FailedOf(statement.after);
+  // A statement that fails does so before it writes.
+  if (failed) GoBackTo(marks_.back());
+  return failed.value_or(static_cast<int64_t>(end));
 }
 
 int64_t Model::StepPrivate(int thread, int64_t limit) {
@@ -361,8 +432,11 @@ int64_t Model::StepPrivate(int thread, int64_t limit) {
 }
 
 void Model::Undo() {
-  const Mark mark = marks_.back();
+  GoBackTo(marks_.back());
   marks_.pop_back();
+}
+
+void Model::GoBackTo(const Mark& mark) {
   while (journal_.size() > mark.journal) {
     const Change change = journal_.back();
     journal_.pop_back();

@@ -11,9 +11,12 @@
 // tests/explore/model_test.cc.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,8 +43,11 @@ std::vector<ThreadSetup> BoundThreads(const vm::Machine& machine);
 /// The shared cells that a statement reads and the one that it writes. Statements of different
 /// threads depend on each other if they access a common cell and one of them writes it.
 struct AccessSet {
-  static constexpr int kReadMax =
-      5;  ///< two elements with global indices, and the index of the element that is written
+  /// Globals that are read to check a statement (StatementCheck).
+  static constexpr int kCheckedMax = 11;
+  /// A statement itself reads up to five: two elements with global indices, and the index of the
+  /// element that is written.
+  static constexpr int kReadMax = 5 + kCheckedMax;
   static constexpr uint32_t kNone = ~uint32_t{0};
 
   std::array<uint32_t, kReadMax> reads{};
@@ -49,6 +55,13 @@ struct AccessSet {
   uint32_t write = kNone;
 
   void Read(uint32_t cell) { reads[read_count++] = cell; }
+  /// Reads a cell to check the statement, unless it is there already or there is no room.
+  void ReadToCheck(uint32_t cell) {
+    for (uint32_t i = 0; i < read_count; ++i) {
+      if (reads[i] == cell) return;
+    }
+    if (read_count < kReadMax) Read(cell);
+  }
   bool empty() const { return read_count == 0 && write == kNone; }
   bool Touches(uint32_t cell) const {
     for (uint32_t i = 0; i < read_count; ++i) {
@@ -66,12 +79,31 @@ struct AccessSet {
 std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
 
 /// The state of a thread.
-enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
+enum class ThreadEnd : uint8_t {
+  kRunning,
+  kFinished,
+  kDivisionByZero,
+  kIndexOutOfBounds,
+  kCheckFailed  ///< its next statement has not met a StatementCheck, and is not executed
+};
 
 /// True for the end with an error.
 constexpr bool Fails(ThreadEnd end) {
   return end != ThreadEnd::kRunning && end != ThreadEnd::kFinished;
 }
+
+class Model;
+
+/// A condition that statements must meet when they are executed. It belongs to what such a
+/// statement does: the statement reads what the condition names, and its thread ends where it does
+/// not hold. So an engine that is exact for a model is exact for a model with checks.
+struct StatementCheck {
+  int requirement = 0;                 ///< its number, for Model::FailedCheck()
+  std::vector<uint32_t> globals = {};  ///< the cells of those that it names
+  std::vector<uint32_t> locals = {};   ///< the slots of those of the executing thread that it names
+  bool sees_others = false;  ///< it names something else: a local or the result of a thread
+  std::function<bool(const Model&)> holds = {};
+};
 
 class Model {
  public:
@@ -86,6 +118,23 @@ class Model {
   /// Same pointer, shared.
   const std::shared_ptr<const vm::Image>& shared_image() const { return image_; }
 
+  // --- Checks: before the first step -------------------------------------------------------------
+
+  /// A thread's statement must meet the check before it is executed.
+  void CheckBefore(int thread, size_t position, StatementCheck check);
+  /// Every statement that writes one of the globals of the check must meet it afterwards.
+  void CheckAfterWrites(const StatementCheck& check);
+  /// True if what statements read and write tells which of them depend on each other: no check
+  /// names more than globals and its own thread's locals, nor more globals than there is room for.
+  bool ChecksAreLocal() const { return checks_are_local_; }
+  /// Calls `visit` with every check of a thread's statement.
+  template <typename Visit>
+  void ForEachCheck(int thread, size_t position, const Visit& visit) const {
+    const Statement& statement = threads_[Index(thread)].statements[position];
+    for (const uint32_t check : statement.before) visit(checks_[check]);
+    for (const uint32_t check : statement.after) visit(checks_[check]);
+  }
+
   /// True if a thread can jump back: otherwise every run ends.
   bool HasLoops() const;
 
@@ -94,14 +143,21 @@ class Model {
 
   bool Running(int thread) const { return End(thread) == ThreadEnd::kRunning; }
   ThreadEnd End(int thread) const {
-    return static_cast<ThreadEnd>(cells_[threads_[Index(thread)].end_cell]);
+    return static_cast<ThreadEnd>(std::min(cells_[threads_[Index(thread)].end_cell], kFirstCheck));
+  }
+  /// The requirement of the check with which a thread has ended (kCheckFailed).
+  int FailedCheck(int thread) const {
+    return static_cast<int>(cells_[threads_[Index(thread)].end_cell] - kFirstCheck);
   }
   /// Bit n: thread n can execute a step.
   uint32_t runnable() const { return runnable_; }
   /// True if the next statement of a running thread can never access a shared cell.
   bool NextIsPrivate(int thread) const { return !NextStatement(threads_[Index(thread)]).shared; }
-  /// The cells that the next statement of a running thread accesses.
+  /// The cells that the next statement of a running thread accesses, and those that are read to
+  /// check it.
   AccessSet NextAccess(int thread) const;
+  /// The same without what is read to check it.
+  AccessSet NextOwnAccess(int thread) const;
   /// Index of the next statement of a running thread; of the last one if the thread has ended.
   int Position(int thread) const {
     return static_cast<int>(cells_[threads_[Index(thread)].position_cell]);
@@ -125,7 +181,7 @@ class Model {
   // --- Parts of the state (thread_states.h) ------------------------------------------------------
 
   /// True if the cells that a statement accesses are determined by its thread alone: no index is
-  /// global.
+  /// global, and ChecksAreLocal().
   bool AccessesAreLocal() const;
   uint32_t global_count() const { return global_count_; }
   /// Raw content of a global; cells are counted from 0.
@@ -175,7 +231,9 @@ class Model {
     Operand b;
     Operand target;
     int32_t displacement = 0;
-    bool shared = false;  ///< an operand is global
+    bool shared = false;           ///< an operand is global, or a check reads one
+    std::vector<uint32_t> before;  ///< checks: their places in checks_
+    std::vector<uint32_t> after;
   };
   struct Thread {
     ThreadSetup setup;
@@ -194,6 +252,10 @@ class Model {
   Model() = default;
   Result<void> AddThread(int number, const vm::ThreadState& state, const vm::Machine& machine);
   static size_t Index(int thread) { return static_cast<size_t>(thread); }
+  static constexpr int64_t kFirstCheck = static_cast<int64_t>(ThreadEnd::kCheckFailed);
+  void AddCheck(uint32_t check, Statement* statement, std::vector<uint32_t>* list);
+  /// The first of the checks that does not hold, as the end of a thread; empty: all hold.
+  std::optional<int64_t> FailedOf(const std::vector<uint32_t>& checks) const;
   const Statement& NextStatement(const Thread& thread) const {
     return thread.statements[static_cast<size_t>(cells_[thread.position_cell])];
   }
@@ -208,7 +270,9 @@ class Model {
   void Write(uint32_t cell, int64_t value);
   /// Writes a cell whose value is restored by the marks.
   void Replace(uint32_t cell, int64_t value);
-  void Finish(int thread, ThreadEnd end);
+  void Finish(int thread, int64_t end);
+  /// Executes a statement that is to be checked. Returns the thread's end.
+  int64_t ExecuteChecked(const Statement& statement, const Thread& thread);
   ThreadEnd Execute(const Statement& statement, const Thread& thread);
 
   std::shared_ptr<const vm::Image> image_;
@@ -226,8 +290,13 @@ class Model {
     uint8_t thread = 0;     ///< the thread of the step
     StateKey key;           ///< before the step; while it is tracked
   };
+  /// Takes the changes since a mark back.
+  void GoBackTo(const Mark& mark);
+
   std::vector<Change> journal_;
   std::vector<Mark> marks_;
+  std::vector<StatementCheck> checks_;
+  bool checks_are_local_ = true;
 };
 
 }  // namespace oncard::explore

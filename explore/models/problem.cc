@@ -11,6 +11,7 @@
 #include "compiler/dialect.h"
 #include "runtime/scenario/file/placed_errors.h"
 #include "runtime/scenario/file/search_names.h"
+#include "runtime/scenario/run/assert_watch.h"
 
 namespace oncard::explore {
 namespace {
@@ -230,15 +231,23 @@ int FirstCommentLine(std::string_view source) {
 
 Requirement BoundRequirement::AsRequirement() const {
   Requirement requirement = {scope, property.text()};
+  requirement.at = at;
   if (then) requirement.then = then->text();
   return requirement;
 }
 
+int FirstAssertLine(std::string_view source) {
+  int first = 0;
+  compiler::ForEachCommentLine(source, [&](int number, std::string_view line) {
+    if (first == 0 && compiler::IsAssertComment(line)) first = number;
+  });
+  return first;
+}
+
 bool Problem::HasInvariants() const {
-  for (const BoundRequirement& requirement : requirements) {
-    if (requirement.scope != Scope::kFinal) return true;
-  }
-  return false;
+  return std::ranges::any_of(requirements, [](const BoundRequirement& requirement) {
+    return requirement.scope != Scope::kFinal && requirement.scope != Scope::kAssert;
+  });
 }
 
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
@@ -269,11 +278,81 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
   return problem;
 }
 
+void AddAsserts(const std::string& program_path, Problem* problem,
+                runtime::ScenarioErrors* errors) {
+  Model& model = problem->model;
+  const vm::Object& object = model.image().object;
+  const std::vector<Requirement> asserts = runtime::AssertsOf(object, program_path);
+  size_t number = 0;
+  for (size_t function = 0; function < object.functions.size(); ++function) {
+    for (const vm::Assert& assert : object.functions[function].asserts) {
+      const Requirement& written = asserts[number++];
+      BoundRequirement bound = {.scope = Scope::kAssert,
+                                .at = written.at,
+                                .reached = std::make_shared<std::atomic<bool>>(false)};
+      std::optional<Message> wrong;
+      auto condition = runtime::ParseCondition(assert.condition);
+      if (condition.ok()) {
+        bound.property = Property::Of(condition.value());
+      } else {
+        wrong = condition.error().message;
+      }
+      for (int thread = 0; !wrong && thread < model.thread_count(); ++thread) {
+        if (model.setup(thread).function != static_cast<int>(function)) continue;
+        auto property = Property::BindInThread(condition.value(), thread, model);
+        if (!property.ok()) {
+          wrong = property.error().message;
+          break;
+        }
+        StatementCheck check =
+            property.value().AsCheck(static_cast<int>(problem->requirements.size()), thread, model);
+        check.holds = [holds = std::move(check.holds),
+                       reached = bound.reached](const Model& state) {
+          if (!reached->load(std::memory_order_relaxed)) {
+            reached->store(true, std::memory_order_relaxed);
+          }
+          return holds(state);
+        };
+        model.CheckBefore(thread, assert.position, std::move(check));
+      }
+      if (wrong) {
+        errors->AddText({}, fmt::format("{}: {}", written.at, written.Title()), *wrong);
+      }
+      problem->requirements.push_back(std::move(bound));
+    }
+  }
+}
+
+Model ModelOfTraces(const Problem& problem) {
+  Model model = problem.model;
+  for (size_t i = 0; i < problem.requirements.size(); ++i) {
+    const BoundRequirement& bound = problem.requirements[i];
+    if (bound.scope != Scope::kAlways && bound.scope != Scope::kNever) continue;
+    StatementCheck check = bound.property.AsCheck(static_cast<int>(i), -1, model);
+    check.holds = [bound](const Model& state) {
+      LookForGuard(bound, state);
+      return bound.property.Holds(state) == (bound.scope == Scope::kAlways);
+    };
+    model.CheckAfterWrites(check);
+  }
+  return model;
+}
+
+bool CanSearchTraces(const Problem& problem) {
+  return std::ranges::count(problem.requirements, Scope::kEventually, &BoundRequirement::scope) ==
+             0 &&
+         ModelOfTraces(problem).ChecksAreLocal();
+}
+
 std::vector<Message> UntestedOf(const Problem& problem) {
   std::vector<Message> texts;
   for (const BoundRequirement& bound : problem.requirements) {
+    const Requirement requirement = bound.AsRequirement();
+    if (bound.reached && !bound.reached->load()) {
+      texts.push_back(runtime::DescribeUntestedAssert(requirement));
+    }
     if (!bound.matters || bound.mattered->load()) continue;
-    texts.push_back(runtime::DescribeVacuous(bound.AsRequirement(), *bound.guard));
+    texts.push_back(runtime::DescribeVacuous(requirement, *bound.guard));
   }
   return texts;
 }
@@ -287,11 +366,14 @@ std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
 
 Fault FindFault(const Problem& problem, const Model& state) {
   for (int thread = 0; thread < state.thread_count(); ++thread) {
+    if (state.End(thread) == ThreadEnd::kCheckFailed) {
+      return {Fault::Kind::kRequirement, state.FailedCheck(thread), thread};
+    }
     if (Fails(state.End(thread))) return {Fault::Kind::kThread, 0, thread};
   }
   for (size_t i = 0; i < problem.requirements.size(); ++i) {
     const BoundRequirement& requirement = problem.requirements[i];
-    if (requirement.scope == Scope::kEventually) continue;
+    if (requirement.scope == Scope::kEventually || requirement.scope == Scope::kAssert) continue;
     if (requirement.scope == Scope::kFinal && state.runnable() != 0) continue;
     LookForGuard(requirement, state);
     if (requirement.then) continue;

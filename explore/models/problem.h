@@ -17,7 +17,8 @@
 //   //@ deadlock: any          all threads may wait for ever
 //   //@ sync: f, g             variables that order what threads do, and do not race themselves
 //
-// and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ...
+// and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ... Asserts are read
+// by the compiler (compiler/asserts.h).
 // Tested by tests/explore/problem_test.cc.
 #pragma once
 
@@ -60,8 +61,11 @@ struct CommentProblem {
 /// the message shows each with its line.
 Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source);
 
-/// The first line with such a comment; 0 if there is none.
+/// The first line with such a comment, which an assert is not; 0 if there is none.
 int FirstCommentLine(std::string_view source);
+
+/// The first line with an assert; 0 if there is none.
+int FirstAssertLine(std::string_view source);
 
 /// Reads the comments of a source, whose functions are those of `object`. Fails as
 /// ReadCommentLines(), and when there is no function t0.
@@ -70,13 +74,16 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
 
 struct BoundRequirement {
   Scope scope = Scope::kFinal;
-  Property property;                  ///< of a response, its left side
+  Property property = {};             ///< of a response, its left side
   std::optional<Property> then = {};  ///< of a response, its right side
   std::optional<runtime::Guard> guard = {};
   std::optional<Property> matters = {};  ///< of the guard
   /// Whether the guard has held in a state that was checked by any search of the problem, in any
   /// thread of the computer; only if there is a guard.
   std::shared_ptr<std::atomic<bool>> mattered = {};
+  /// kAssert: its statement, and whether any search of the problem has executed it.
+  std::string at = {};
+  std::shared_ptr<std::atomic<bool>> reached = {};
 
   /// As written.
   Requirement AsRequirement() const;
@@ -92,7 +99,8 @@ struct Problem {
   SyncCells sync = {};
   bool may_last = false;  ///< a run that never ends is no failure
 
-  /// True if a requirement applies to states before the end.
+  /// True if a requirement applies to states before the end. Asserts do not: they belong to the
+  /// statements of the model (StatementCheck).
   bool HasInvariants() const;
 };
 
@@ -100,6 +108,23 @@ struct Problem {
 /// many, to `errors`; the problem is not usable then.
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                     runtime::ScenarioErrors* errors);
+
+/// Adds the asserts of the program's functions to a problem and its model. Conditions that cannot
+/// be read, and names that do not exist, are added to `errors`. `program_path`: as for AssertsOf()
+/// (runtime/scenario/run/assert_watch.h).
+void AddAsserts(const std::string& program_path, Problem* problem, runtime::ScenarioErrors* errors);
+
+/// The model in which the search of traces (dpor.h) checks what a problem requires of states before
+/// the end: every statement that writes a global which `always` or `never` names checks it
+/// afterwards. Such a statement reads all globals of that requirement, so the statements that write
+/// one of them depend on each other. Executions of one trace then have the same sequence of their
+/// values, and the requirement is violated in all of them or in none. The state before the first
+/// statement is not checked.
+Model ModelOfTraces(const Problem& problem);
+
+/// True if that is all that the problem requires of states before the end: there is no
+/// `eventually`, and no `always`, `never` or assert that names something else or too many globals.
+bool CanSearchTraces(const Problem& problem);
 
 /// What the searches so far have not put to the test (runtime/scenario/run/vacuity.h).
 std::vector<Message> UntestedOf(const Problem& problem);
@@ -120,10 +145,12 @@ struct Fault {
   };
   Kind kind = Kind::kNone;
   int requirement = 0;  ///< kRequirement: which one is violated
-  int thread = 0;       ///< kThread: the thread that ended with a fault, by its number in the model
-  Race race = {};       ///< kRace
-  size_t call = 0;      ///< kHostCall: its number in the record
-  int16_t code = 0;     ///< kHostCall: what it returns
+  /// kThread: the thread that ended with a fault; kRequirement, of an assert: the one that was
+  /// about to execute the statement; by its number in the model.
+  int thread = 0;
+  Race race = {};    ///< kRace
+  size_t call = 0;   ///< kHostCall: its number in the record
+  int16_t code = 0;  ///< kHostCall: what it returns
 
   explicit operator bool() const { return kind != Kind::kNone; }
 };

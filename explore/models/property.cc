@@ -46,6 +46,12 @@ class ModelNames {
     return Unknown(name);
   }
 
+  Result<Place> FindInThread(std::string_view name, std::optional<int> index, int thread) const {
+    const ThreadSetup& setup = model_.setup(thread);
+    const vm::Symbol* local = vm::FindLocal(model_.image(), setup.function, name);
+    return local != nullptr ? Slot(*local, index, false, setup.page) : Find(name, index);
+  }
+
  private:
   Result<Place> Returned(std::string_view name, int number) const {
     for (int thread = 0; thread < model_.thread_count(); ++thread) {
@@ -106,6 +112,35 @@ Result<Property> Property::Bind(runtime::Condition condition, const Model& model
   }
   property.condition_ = std::move(condition);
   return property;
+}
+
+Result<Property> Property::BindInThread(runtime::Condition condition, int thread,
+                                        const Model& model) {
+  const ModelNames names(model);
+  Property property;
+  for (const runtime::Condition::Name& name : condition.names()) {
+    auto place = names.FindInThread(name.base, name.index, thread);
+    if (!place.ok()) return place.error();
+    property.places_.push_back(place.value());
+  }
+  property.condition_ = std::move(condition);
+  return property;
+}
+
+StatementCheck Property::AsCheck(int requirement, int thread, const Model& model) const {
+  StatementCheck check = {
+      .requirement = requirement,
+      .holds = [property = *this](const Model& state) { return property.Holds(state); }};
+  for (const Place& place : places_) {
+    if (!place.returned && place.slot.global) {
+      check.globals.push_back(place.slot.id);
+    } else if (!place.returned && thread >= 0 && place.slot.page == model.setup(thread).page) {
+      check.locals.push_back(place.slot.id);
+    } else {
+      check.sees_others = true;
+    }
+  }
+  return check;
 }
 
 bool Property::SeesLocals() const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -21,10 +22,23 @@ class Property {
   /// Resolves the names of a condition. Fails if one is unknown. A global hides anything else with
   /// its name.
   static Result<Property> Bind(runtime::Condition condition, const Model& model);
+  /// The same for an assert: a bare name is first a local of the thread, which is counted as in the
+  /// model.
+  static Result<Property> BindInThread(runtime::Condition condition, int thread,
+                                       const Model& model);
+
+  /// A condition whose names are not resolved: it has only a text.
+  static Property Of(runtime::Condition condition) {
+    Property property;
+    property.condition_ = std::move(condition);
+    return property;
+  }
 
   const std::string& text() const { return condition_.text(); }
   /// True if it names a local variable.
   bool SeesLocals() const;
+  /// It as a check of statements that a thread executes; -1: of any thread.
+  StatementCheck AsCheck(int requirement, int thread, const Model& model) const;
   /// Evaluates it in the current state of a model of the same program.
   bool Holds(const Model& model) const;
 

@@ -19,11 +19,11 @@ std::vector<Race> FindRaces(const Model& model, const SyncCells& sync) {
   for (uint32_t left = model.runnable(); left != 0; left &= left - 1) {
     const int a = std::countr_zero(left);
     if (model.NextIsPrivate(a)) continue;
-    const AccessSet of_a = model.NextAccess(a);
+    const AccessSet of_a = model.NextOwnAccess(a);
     for (uint32_t others = left & (left - 1); others != 0; others &= others - 1) {
       const int b = std::countr_zero(others);
       if (model.NextIsPrivate(b)) continue;
-      const AccessSet of_b = model.NextAccess(b);
+      const AccessSet of_b = model.NextOwnAccess(b);
       const auto add = [&](uint32_t cell) {
         if (Synchronises(sync, cell)) return;
         races.push_back({cell,
@@ -101,7 +101,7 @@ RaceDetector::RaceDetector(const Model& model, const SyncCells& sync)
 
 Race RaceDetector::BeforeStep(const Model& model, int thread) {
   if (model.NextIsPrivate(thread)) return {};
-  const AccessSet access = model.NextAccess(thread);
+  const AccessSet access = model.NextOwnAccess(thread);
   const int position = model.Position(thread);
   Race found;
   const auto note = [&](uint32_t cell, bool writes) {

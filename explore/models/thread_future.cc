@@ -23,6 +23,11 @@ Slots UnionOfSlots(const Slots& a, const Slots& b) {
   return both;
 }
 
+Slots Sorted(Slots slots) {
+  std::ranges::sort(slots);
+  return slots;
+}
+
 /// What one statement does.
 struct Effect {
   AccessBits accesses;
@@ -95,7 +100,13 @@ ThreadFuture::ThreadFuture(const Model& model, int thread) {
   const size_t end = instructions.size();
   const size_t locals = model.local_count(thread);
   std::vector<Effect> effects;
-  for (size_t i = 0; i < end; ++i) effects.push_back(EffectOf(instructions[i], i, end));
+  for (size_t i = 0; i < end; ++i) {
+    effects.push_back(EffectOf(instructions[i], i, end));
+    model.ForEachCheck(thread, i, [&effect = effects.back()](const StatementCheck& check) {
+      for (const uint32_t cell : check.globals) effect.accesses.reads |= BitOf(cell);
+      effect.used = UnionOfSlots(effect.used, Sorted(check.locals));
+    });
+  }
   if (locals * end > kLocalsMax) {
     for (Effect& effect : effects) effect.used.clear();
     for (uint32_t slot = 0; slot < locals; ++slot) all_.push_back(slot);

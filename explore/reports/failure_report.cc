@@ -66,6 +66,11 @@ Message DescribeFault(const Findings& findings, const Failure& failure) {
   }
   const Requirement& violated =
       subject.requirements[static_cast<size_t>(failure.fault.requirement)];
+  if (violated.scope == Scope::kAssert) {
+    return MakeMessage("{0} does not hold at {1} in thread {2}", "{0} 在 {1} 处（线程 {2}）不成立",
+                       violated.Title(), violated.at,
+                       subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
+  }
   const bool never = violated.scope == Scope::kNever;
   return MakeMessage(never ? "{0} holds" : "{0} does not hold", never ? "{0} 成立" : "{0} 不成立",
                      violated.Title());

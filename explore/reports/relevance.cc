@@ -26,7 +26,8 @@ class BackwardSlice {
   std::vector<bool> Of(const Failure& failure) {
     switch (failure.fault.kind) {
       case Fault::Kind::kRequirement:
-        BeginWith(subject_.requirements[static_cast<size_t>(failure.fault.requirement)]);
+        BeginWith(subject_.requirements[static_cast<size_t>(failure.fault.requirement)],
+                  failure.fault.thread);
         break;
       case Fault::Kind::kThread:
         BeginWithLastStepOf(failure.fault.thread);
@@ -43,17 +44,23 @@ class BackwardSlice {
     return (slot.global ? 0 : (slot.page + 1) * vm::kSlotCount) + slot.id;
   }
 
-  void BeginWith(const Requirement& requirement) {
-    BeginWith(requirement.text);
-    if (requirement.IsResponse()) BeginWith(requirement.then);
+  void BeginWith(const Requirement& requirement, int thread) {
+    BeginWith(requirement.text, requirement, thread);
+    if (requirement.IsResponse()) BeginWith(requirement.then, requirement, thread);
   }
 
-  void BeginWith(const std::string& text) {
+  void BeginWith(const std::string& text, const Requirement& requirement, int thread) {
     auto expectation = runtime::ParseExpectation(text);
     if (!expectation.ok()) return;
+    runtime::Condition condition = std::move(expectation.value().condition);
+    const bool in_thread = requirement.scope == Scope::kAssert;
+    const int number = subject_.threads[static_cast<size_t>(thread)].thread;
     const auto bound =
-        runtime::CardCondition::Bind(std::move(expectation.value().condition), controller_);
+        in_thread ? runtime::CardCondition::BindInThread(std::move(condition), number, controller_)
+                  : runtime::CardCondition::Bind(std::move(condition), controller_);
     if (!bound.ok()) return;
+    // That it came to the statement matters, too.
+    if (in_thread) BeginWithLastStepOf(thread);
     for (const runtime::Quantity& quantity : bound.value().quantities()) Need(quantity);
   }
 

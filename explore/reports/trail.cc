@@ -15,6 +15,7 @@
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/file/expectation.h"
+#include "runtime/scenario/run/assert_watch.h"
 #include "runtime/scenario/run/response.h"
 #include "runtime/sim/card_clock.h"
 
@@ -247,6 +248,13 @@ Message DescribeWaiting(const runtime::Controller& controller) {
   return text;
 }
 
+/// True for a requirement that has failed before the last statement of the failure.
+bool IsAssert(const Subject& subject, const Failure& failure) {
+  return failure.fault.kind == Fault::Kind::kRequirement &&
+         subject.requirements[static_cast<size_t>(failure.fault.requirement)].scope ==
+             Scope::kAssert;
+}
+
 Message DescribeActual(const Subject& subject, const Failure& failure,
                        const runtime::Controller& controller) {
   const vm::Machine& machine = controller.machine();
@@ -334,9 +342,18 @@ Trail Follow(const Problem& problem, const Failure& failure) {
   std::vector<Touch> touches;
   const Requirement* response = UnansweredBy(subject, failure);
   ResponseFollower follower(response, *controller);
+  runtime::ScenarioErrors none;
+  runtime::AssertWatch asserts;
+  asserts.Begin(*controller, &none);
+  const bool fails_before = IsAssert(subject, failure);
   const auto follow = [&](const std::vector<uint8_t>& threads, std::vector<TrailStep>* steps) {
     for (const uint8_t thread : threads) {
       const int number = subject.threads[thread].thread;
+      if (fails_before && steps->size() + 1 == threads.size()) {
+        if (auto failed = asserts.BeforeStatement(*controller, number)) {
+          trail.actual = std::move(failed->values);
+        }
+      }
       touches.push_back({thread, NextAccess(*controller, number)});
       watch.Before();
       machine.ExecuteOne(number);
@@ -352,7 +369,7 @@ Trail Follow(const Problem& problem, const Failure& failure) {
   if (response != nullptr) {
     AddUnanswered(*response, follower.since(), AfterStep(follower.since()), {}, *controller,
                   &trail);
-  } else if (!failure.livelock) {
+  } else if (!failure.livelock && !fails_before) {
     trail.actual = DescribeActual(subject, failure, *controller);
   }
   follow(failure.cycle, &trail.cycle);
@@ -406,6 +423,8 @@ Trail Follow(CardModel* model, const Failure& failure) {
     const auto steps = static_cast<int64_t>(failure.steps.size());
     AddUnanswered(*response, since, in_time(AfterStep(since), owed.since_ns),
                   in_time(AfterStep(steps), card.clock().NsOf(card.cycle())), card, &trail);
+  } else if (IsAssert(subject, failure)) {
+    trail.actual = model->assert_values();
   } else {
     trail.actual = DescribeActual(subject, failure, model->controller());
   }

@@ -184,6 +184,24 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   return exploration;
 }
 
+/// For what is required of every state, kAuto searches the graph of states alone if it has fewer
+/// than this.
+constexpr uint32_t kStatesAlone = 500'000;
+
+/// Searches that graph. True: the search of traces is not needed, as a failure was found before;
+/// `states` then has the graph if it is all that is to be searched.
+bool SearchFewStates(const Problem& problem, const ExploreOptions& options, bool has_failure,
+                     std::optional<StateSearch>* states) {
+  if (has_failure) return true;
+  StateLimits limits = StatesOf(options, StopOf(options));
+  limits.states = std::min(limits.states, kStatesAlone);
+  StateSearch few = SearchStates(problem, limits);
+  const bool enough = few.counts.complete || IsTold(limits.stop);
+  const bool bad = few.counts.bad_states > 0;
+  if (enough) *states = std::move(few);
+  return enough || bad;
+}
+
 }  // namespace
 
 std::optional<EngineKind> EngineNamed(std::string_view name) {
@@ -270,6 +288,14 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
                      "合并只涉及局部变量的语句时，“always”、“never”和“eventuall"
                      "y”不能引用局部变量");
   }
+  if (options.merge_private && !problem.model.ChecksAreLocal()) {
+    return MakeError(1,
+                     "an assert names another thread's local or result, or more than {0} globals: "
+                     "statements that touch only locals cannot be merged",
+                     "断言引用了其他线程的局部变量或返回值，或超过 {0} "
+                     "个全局变量：不能合并只涉及局部变量的语句",
+                     AccessSet::kCheckedMax);
+  }
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
@@ -291,20 +317,23 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (engine == EngineKind::kAuto && problem.races != RaceRule::kAny) {
     engine = EngineKind::kStateful;
   }
-  if (problem.HasInvariants()) {
+  if (!CanSearchTraces(problem)) {
     if (engine == EngineKind::kDpor) {
-      return MakeError(1,
-                       "'always', 'never' and 'eventually' concern intermediate states, which the "
-                       "engine dpor skips: use the engine stateful",
-                       "“always”、“never”和“eventually”涉及中间状态，而 dpor "
-                       "引擎会跳过它们：请使用 stateful "
-                       "引擎");
+      return MakeError(
+          1,
+          "the engine dpor checks 'always' and 'never' that name at most {0} globals, and asserts "
+          "that name these or locals of their own thread: for others and for 'eventually' use the "
+          "engine stateful",
+          "dpor 引擎只检查引用不超过 {0} "
+          "个全局变量的“always”和“never”，以及只引用这些变量或自身线程"
+          "局部变量的断言：其他条件和“eventually”请使用 stateful 引擎",
+          AccessSet::kCheckedMax);
     }
     engine = EngineKind::kStateful;
   }
   if (options.progress != nullptr && options.progress->estimates &&
       engine != EngineKind::kStateful) {
-    Model model = problem.model;
+    Model model = ModelOfTraces(problem);
     const TraceEstimate estimate =
         EstimateTraces(&model, kDescents, options.seed, kDescentDepth, StopOf(options));
     options.progress->expected = estimate.traces;
@@ -314,18 +343,22 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (options.engine == EngineKind::kAuto && !options.all && options.begun == nullptr) {
     look = LookFirst(problem, StopOf(options), options.cases);
   }
-  const bool paired = engine == EngineKind::kAuto;
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;
   ExploreOptions searched = options;
   if (look.found()) {
     searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
   }
+  if (engine == EngineKind::kAuto && problem.HasInvariants() &&
+      SearchFewStates(problem, searched, look.found(), &states)) {
+    engine = EngineKind::kStateful;
+  }
+  const bool paired = engine == EngineKind::kAuto;
   if (engine == EngineKind::kDpor) {
     traces = TracesOf(problem, searched, StopOf(options),
                       [&] { return options.progress != nullptr && options.progress->TakePause(); });
   } else if (engine == EngineKind::kStateful) {
-    states = SearchStates(problem, StatesOf(searched, StopOf(options)));
+    if (!states) states = SearchStates(problem, StatesOf(searched, StopOf(options)));
   } else {
     PairResult both =
         RunPair({.traces =

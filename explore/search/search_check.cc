@@ -23,7 +23,8 @@ Error NoSuchStep(const std::string& place, int thread) {
 /// and the following statements of its thread that do not.
 class UnitCheck {
  public:
-  UnitCheck(const Problem& problem, int64_t depth) : model_(problem.model), depth_(depth) {}
+  UnitCheck(const Problem& problem, int64_t depth)
+      : model_(ModelOfTraces(problem)), depth_(depth) {}
 
   Result<void> Run(const TraceUnit& unit, const std::string& place) {
     model_.TrackKey(false);

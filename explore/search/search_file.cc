@@ -67,6 +67,7 @@ uint64_t HashOf(const Problem& problem) {
   for (const BoundRequirement& requirement : problem.requirements) {
     text += fmt::format("\n{} {}", static_cast<int>(requirement.scope),
                         requirement.AsRequirement().Expression());
+    if (requirement.scope == Scope::kAssert) text += " " + requirement.at;
   }
   return XXH64(text.data(), text.size(), 0);
 }
@@ -75,7 +76,7 @@ TraceSearch TracesOfPart(const Problem& problem, const SearchPart& part) {
   TraceSearch search;
   if (part.count == 1) return search;
   search.units.clear();
-  Model model = problem.model;
+  Model model = ModelOfTraces(problem);
   const auto count = static_cast<size_t>(part.count);
   const std::vector<TraceUnit> units = SplitTraces(&model, kUnitsPerPart * count);
   for (size_t i = static_cast<size_t>(part.number) - 1; i < units.size(); i += count) {

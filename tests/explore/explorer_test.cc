@@ -84,14 +84,26 @@ TEST(ExplorerTest, ALimitIsNotAProof) {
   EXPECT_FALSE(exploration.why.en.empty());
 }
 
-TEST(ExplorerTest, InvariantsNeedStates) {
+TEST(ExplorerTest, WhatMustHoldInSomeStateNeedsStates) {
   const std::string source =
-      "int x;\n//@ never: x == 1\nint t0() {\n  x = 1;\n  x = 0;\n}\nint t1() {\n  int r;\n  r = "
+      "int x;\n//@ eventually: x == 2\nint t0() {\n  x = 1;\n  x = 0;\n}\nint t1() {\n  int r;\n  "
+      "r = "
       "x;\n}\n";
   EXPECT_FALSE(Explore(ProblemOf(source), {.engine = EngineKind::kDpor}).ok());
   const Exploration exploration = RunOn(source, {});
   EXPECT_EQ(exploration.verdict, Verdict::kFailed);
+}
+
+// So the counts are those of the graph.
+TEST(ExplorerTest, WhatMustHoldInEveryStateIsSoughtInASmallGraphAlone) {
+  const std::string source =
+      "int x;\n//@ never: x == 1\nint t0() {\n  x = 1;\n  x = 0;\n}\nint t1() {\n  int r;\n  r = "
+      "x;\n}\n";
+  const Exploration exploration = RunOn(source, {});
+  EXPECT_EQ(exploration.verdict, Verdict::kFailed);
   EXPECT_EQ(exploration.failure->steps.size(), 1u);
+  EXPECT_FALSE(exploration.traces);
+  EXPECT_FALSE(exploration.paired);
 }
 
 TEST(ExplorerTest, EnginesHaveNames) {

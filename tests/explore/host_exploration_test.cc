@@ -197,6 +197,11 @@ TEST(HostExplorationTest, RefusesInitialValuesInComments) {
               HasSubstr("what the host writes"));
 }
 
+TEST(HostExplorationTest, RefusesAssertsWhichAnObjectFileDoesNotHave) {
+  EXPECT_THAT(RefusalOf(RecordOf(Adding("\n//@ assert: x < 3\nx = x + 1;"))),
+              HasSubstr("write '//@ always:' outside of functions"));
+}
+
 TEST(HostExplorationTest, RefusesDataRaces) {
   EXPECT_THAT(RefusalOf(RecordOf("//@ races: none\n" + Adding("x = x + 1;"))),
               HasSubstr("not looked for where a recorded host starts the threads"));
