@@ -102,6 +102,8 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
   runtime::CheckTimes(requirements, run.scenario(), run.image().object, &errors);
   auto conditions =
       runtime::ReadRequirements<CardCondition>(requirements, run.controller(), &errors);
+  stops.asserts_ = runtime::AssertWatch(runtime::ProgramPath(run.scenario()));
+  if (run.calls() == nullptr) stops.asserts_.Begin(run.controller(), &errors);
   if (auto failure = errors.Failure()) return *std::move(failure);
   for (size_t i = 0; i < requirements.size(); ++i) {
     const runtime::Scope scope = requirements[i].scope;
@@ -187,6 +189,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.final_ = std::move(final_);
   stops.eventually_ = std::move(eventually_);
   stops.answers_ = std::move(answers_);
+  stops.asserts_ = std::move(asserts_);
   // A line that was there before keeps its count.
   for (Line& line : stops.lines_) {
     const auto same = [&](const Line& old) {
@@ -242,7 +245,8 @@ std::vector<int> Stops::lines() const {
 
 bool Stops::CheckEveryStep() const {
   return !lines_.empty() || !wishes_.changes.empty() || !wishes_.conditions.empty() || races_ ||
-         (checks_requirements_ && (!requirements_.empty() || !answers_.empty()));
+         (checks_requirements_ &&
+          (!requirements_.empty() || !answers_.empty() || !asserts_.empty()));
 }
 
 std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
@@ -305,6 +309,7 @@ void Stops::Begin(const RewindableRun& run) {
   }
   for (Truth& truth : requirements_) truth.last = truth.condition.Holds(run.controller());
   for (size_t i = 0; i < answers_.size(); ++i) answers_[i].late = run.OwedTo(i).late;
+  asserts_.Remember(run.controller());
   Remember(run);
   fault_count_ = machine.state().faults;
 }
@@ -326,10 +331,12 @@ std::optional<Stop> Stops::Check(const RewindableRun& run, const StepReport& ste
   FindArrivals(run, step);
   // Each of them updates what it remembers, so all are called.
   std::optional<Stop> incident = CheckIncidents(run, step);
+  std::optional<Stop> failed = CheckAsserts(run);
   std::optional<Stop> truth = CheckTruths(run, step);
   std::optional<Stop> value = CheckValues(run, step);
   std::optional<Stop> line = CheckLines(run, log);
   if (incident) return incident;
+  if (failed) return failed;
   if (truth) return truth;
   return value ? value : line;
 }
@@ -441,6 +448,19 @@ std::optional<Stop> Stops::CheckValues(const RewindableRun& run, const StepRepor
                               value.quantity.name, was, is)};
     }
     value.last = now;
+  }
+  return stop;
+}
+
+// The statement has been executed; what is said is about the state before it.
+std::optional<Stop> Stops::CheckAsserts(const RewindableRun& run) {
+  std::optional<Stop> stop;
+  for (const runtime::FailedAssert& failed : asserts_.AfterStatements(run.controller())) {
+    if (!checks_requirements_ || stop) continue;
+    const runtime::Requirement& requirement = asserts_.asserts()[failed.number];
+    const Message what = Describe(failed, requirement);
+    stop = Stop{StopReason::kRequirement, failed.thread, -1,
+                MakeMessage("{0} {1}", "{0} {2}", requirement.Title(), what.en, what.zh)};
   }
   return stop;
 }

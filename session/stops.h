@@ -13,6 +13,7 @@
 
 #include "base/result.h"
 #include "runtime/conditions/card_condition.h"
+#include "runtime/scenario/run/assert_watch.h"
 #include "session/rewindable_run.h"
 
 namespace oncard::session {
@@ -35,10 +36,11 @@ struct StopWishes {
   std::vector<std::string> changes;     ///< names of variables or other values (quantity.h)
   std::vector<std::string> conditions;  ///< stop when one becomes true
   bool faults = true;
-  bool refusals = true;      ///< commands of threads and of a recorded host whose code is not 0
-  bool requirements = true;  ///< `always`, `never`, `within`, and expectations with an instant
-  bool races = false;        ///< data races, each pair of statements once
-  bool warnings = false;     ///< of the card's supervisor, each once
+  bool refusals = true;  ///< commands of threads and of a recorded host whose code is not 0
+  /// `always`, `never`, `within`, asserts, and expectations with an instant.
+  bool requirements = true;
+  bool races = false;     ///< data races, each pair of statements once
+  bool warnings = false;  ///< of the card's supervisor, each once
 };
 
 enum class StopReason : uint8_t {
@@ -149,6 +151,7 @@ class Stops {
   void FindStarted(const vm::Machine& machine);
   std::optional<Stop> CheckLines(const RewindableRun& run, std::vector<LogLine>* log);
   std::optional<Stop> CheckValues(const RewindableRun& run, const StepReport& step);
+  std::optional<Stop> CheckAsserts(const RewindableRun& run);
   std::optional<Stop> CheckTruths(const RewindableRun& run, const StepReport& step);
   std::optional<Stop> CheckIncidents(const RewindableRun& run, const StepReport& step);
 
@@ -161,6 +164,7 @@ class Stops {
   std::vector<Truth> final_;
   std::vector<Truth> eventually_;
   std::vector<Answer> answers_;  // to responses, `leads` and `within`
+  runtime::AssertWatch asserts_;
   bool faults_ = true;
   bool refusals_ = true;
   bool checks_requirements_ = true;

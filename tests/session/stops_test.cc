@@ -360,6 +360,22 @@ TEST(Stops, TellAtTheEndWhatIsStillOwed) {
             "then nor later: x is 0");
 }
 
+// It says what was there before the statement, which has been executed then; back and forward
+// again.
+TEST(Stops, StopWhereAnAssertDidNotHold) {
+  Session session =
+      SessionOf("int n;\nint f()\n{\n  n = 7;\n  //@ assert: n < 5\n  n = 1;\n  return n;\n}\n");
+  for (int pass = 0; pass < 2; ++pass) {
+    const Stop stop = Next(&session);
+    EXPECT_EQ(stop.reason, StopReason::kRequirement);
+    EXPECT_EQ(stop.thread, 0);
+    EXPECT_THAT(stop.text.en, HasSubstr("assert: n < 5 does not hold at "));
+    EXPECT_THAT(stop.text.en, HasSubstr(":6 in thread 0: n is 7"));
+    EXPECT_EQ(ValueOf("n", session.run()), 1);
+    ASSERT_TRUE(session.Back({}).ok());
+  }
+}
+
 TEST(Stops, StopAtAnExpectationThatDoesNotHoldAtItsInstant) {
   Session session = SessionOf(kLoop, "expect = [\"n == 4 @ 1ms\"]\n");
   const Stop stop = Next(&session);
