@@ -194,9 +194,9 @@ test("a task is solved, and the progress stays", async ({ page }) => {
   await write(page, program.replace("answer = 42", "answer = number + number"));
   await page.getByRole("button", { name: "Check" }).click();
   await expect(verdict).toContainText("Solved. All that the task asks holds.");
-  await expect(page.getByText("1 of 13 solved")).toBeVisible();
+  await expect(page.getByText("1 of 14 solved")).toBeVisible();
   await page.reload();
-  await expect(page.getByText("1 of 13 solved")).toBeVisible();
+  await expect(page.getByText("1 of 14 solved")).toBeVisible();
 });
 
 test("hints open one by one", async ({ page }) => {
