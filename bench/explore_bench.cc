@@ -436,6 +436,7 @@ void BenchExplore() {
   std::printf("inc_3x3 dpor: %.2f M traces/s\n", traces);
   std::printf("inc_4x2 stateful: %.2f M states/s\n", states);
   MeasureCard("a moving axis, two threads", kMove);
+  BenchCardSearches();
   MeasureLoop("Peterson's lock", explore::Peterson(false), explore::Verdict::kProved);
   MeasureLoop("a lock that looks, then takes", kNaiveLock, explore::Verdict::kFailed);
   MeasureAuto("4 threads x 2 increments", Increments(4, 2), explore::EngineKind::kStateful);

@@ -63,6 +63,9 @@ void BenchMotion();
 /// `oncard_bench explore`: how fast interleavings are searched, beside SPIN.
 void BenchExplore();
 
+/// A part of BenchExplore(): whole machines, with their card and its world.
+void BenchCardSearches();
+
 /// `oncard_bench editor`: how long requests about a source take.
 void BenchEditor();
 

@@ -10,4 +10,15 @@ namespace oncard::bench {
 /// 0.
 void RunTool(std::vector<std::string> arguments);
 
+/// What a run of the command took, and what it wrote.
+struct ToolRun {
+  double seconds = 0;     ///< wall-clock time
+  double peak_bytes = 0;  ///< the most memory that it occupied
+  std::string out;        ///< standard output
+};
+
+/// Runs `oncard` with these arguments, whatever it returns. Fail() if it cannot be run, or does not
+/// end by itself.
+ToolRun MeasureTool(std::vector<std::string> arguments);
+
 }  // namespace oncard::bench
