@@ -339,8 +339,10 @@ Model ModelOfTraces(const Problem& problem) {
 }
 
 bool CanSearchTraces(const Problem& problem) {
-  return std::ranges::count(problem.requirements, Scope::kEventually, &BoundRequirement::scope) ==
-             0 &&
+  const auto sees_runs = [](const BoundRequirement& bound) {
+    return bound.scope == Scope::kEventually || bound.scope == Scope::kLeads;
+  };
+  return std::ranges::none_of(problem.requirements, sees_runs) &&
          ModelOfTraces(problem).ChecksAreLocal();
 }
 

@@ -122,8 +122,8 @@ void AddAsserts(const std::string& program_path, Problem* problem, runtime::Scen
 /// statement is not checked.
 Model ModelOfTraces(const Problem& problem);
 
-/// True if that is all that the problem requires of states before the end: there is no
-/// `eventually`, and no `always`, `never` or assert that names something else or too many globals.
+/// True if that is all that the problem requires of states before the end: there is no `eventually`
+/// or `leads`, and no `always`, `never` or assert that names something else or too many globals.
 bool CanSearchTraces(const Problem& problem);
 
 /// What the searches so far have not put to the test (runtime/scenario/run/vacuity.h).

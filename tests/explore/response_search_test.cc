@@ -230,6 +230,20 @@ TEST(ResponseSearch, LeadsIsWhatTheDefinitionSays) {
   EXPECT_GT(endless, 20);
 }
 
+// The search of traces skips the states in between, though it could execute this program at once.
+TEST(ResponseSearch, IsLeftToTheGraphOfStatesHoweverLargeItIs) {
+  std::string source = "int a[6];\n//@ leads: a[0] == 1 -> a[0] == 9\n";
+  for (int thread = 0; thread < 6; ++thread) {
+    source += fmt::format(
+        "int t{0}() {{\n  int c;\nL:\n  a[{0}] = a[{0}] + 1;\n"
+        "  c = a[{0}] < 9;\n  if (c) goto L;\n  return 0;\n}}\n",
+        thread);
+  }
+  const Exploration found = Explore(ProblemOf(source), {.state_limit = 600'000}).value();
+  EXPECT_EQ(found.verdict, Verdict::kIncomplete);
+  EXPECT_FALSE(found.traces);
+}
+
 TEST(ResponseSearch, AWaitingLoopAnswersOnlyIfItsThreadIsNotStarved) {
   // t1 answers as soon as it sees a; no fair schedule keeps it from that, however long t0 loops.
   const std::string threads =
