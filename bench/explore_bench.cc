@@ -115,6 +115,8 @@ Program ProgramOf(const std::string& source) {
 explore::Exploration Search(const Program& program, explore::EngineKind engine) {
   explore::ExploreOptions options;
   options.engine = engine;
+  // SPIN counts the states between single statements.
+  if (engine == explore::EngineKind::kStateful) options.merge_private = false;
   auto findings =
       explore::ExploreScenario(program.scenario, program.requirements, program.object, options);
   if (!findings.ok()) Fail(findings.error().message.en);

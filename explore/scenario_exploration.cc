@@ -194,7 +194,7 @@ void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& op
          "pct or pos",
          "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎"});
   }
-  if (options.merge_private) {
+  if (options.merge_private == true) {
     errors->Add({}, {"with the card every statement takes time: none can be merged",
                      "带控制卡时每条语句都占用时间：不能合并"});
   }

@@ -184,8 +184,9 @@ SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool s
                              const std::vector<std::pair<std::string, std::string>>& requirements,
                              const std::string& engine, const std::string& races,
                              const std::map<std::string, std::optional<int64_t>>& numbers,
-                             bool merge_private, bool all, const std::vector<std::string>& silent,
-                             double seconds, int64_t memory_mib) {
+                             std::optional<bool> merge_private, bool all,
+                             const std::vector<std::string>& silent, double seconds,
+                             int64_t memory_mib) {
   const Source source = {main, files, structured};
   SearchWish wish;
   for (const auto& [scope, text] : requirements) {

@@ -60,7 +60,9 @@ Result<void> CheckSettings(const SearchWish& wish, explore::EngineKind engine) {
   const std::string_view name = explore::EngineName(engine);
   for (const runtime::SearchSetting& known : runtime::SearchSettings()) {
     const auto found = std::ranges::find(settings, known.option, &Setting::option);
-    const bool given = found == settings.end() ? wish.merge_private : found->value.has_value();
+    const bool given = found != settings.end()
+                           ? found->value.has_value()
+                           : known.option == "--merge-private" && wish.merge_private;
     if (!given || known.UsedBy(name)) continue;
     return Error{1, runtime::DescribeUnusedSetting(known, ArgumentName(known.option), name)};
   }

@@ -26,7 +26,7 @@ struct SearchWish {
   std::optional<int64_t> seed;
   std::optional<int64_t> depth;
   std::optional<int64_t> preemptions;
-  bool merge_private = false;
+  std::optional<bool> merge_private;
   bool all = false;
   std::vector<std::string> silent;  ///< names of warnings about the card
 };

@@ -79,7 +79,8 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   options.seed = arguments.seed.value_or(options.seed);
   options.depth = arguments.depth.value_or(options.depth);
   options.preemption_limit = arguments.preemptions.value_or(options.preemption_limit);
-  options.merge_private = arguments.merge_private;
+  if (arguments.merge_private) options.merge_private = true;
+  if (arguments.no_merge_private) options.merge_private = false;
   options.all = arguments.all;
   return options;
 }
@@ -87,6 +88,11 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
 /// Reports options that the engine cannot use. Returns the exit code.
 int CheckSettings(const ExploreArguments& arguments, const Invocation& invocation,
                   explore::EngineKind engine) {
+  if (arguments.merge_private && arguments.no_merge_private) {
+    return Fail(invocation, kExitUsage,
+                {"'--merge-private' and '--no-merge-private' contradict each other: give one",
+                 "“--merge-private”与“--no-merge-private”相互矛盾：只能给出一个"});
+  }
   const std::pair<std::string_view, bool> given[] = {
       {"--max-executions", arguments.execution_limit != 0},
       {"--max-states", arguments.state_limit != 0},
@@ -94,7 +100,8 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
       {"--seed", arguments.seed.has_value()},
       {"--depth", arguments.depth.has_value()},
       {"--preemptions", arguments.preemptions.has_value()},
-      {"--merge-private", arguments.merge_private}};
+      {"--merge-private", arguments.merge_private},
+      {"--no-merge-private", arguments.no_merge_private}};
   const std::string_view name = explore::EngineName(engine);
   for (const runtime::SearchSetting& setting : runtime::SearchSettings()) {
     const bool is_given =

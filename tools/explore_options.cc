@@ -44,8 +44,13 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
   command.add_flag(
       "--merge-private", arguments.merge_private,
       invocation.Say(
-          {"combine statements that access no global with the one before them: fewer states",
-           "将不涉及全局变量的语句并入前一条语句：状态更少"}));
+          {"combine statements that access no global with the one before them, or say why that is "
+           "not possible (without it, they are combined where it is)",
+           "将不涉及全局变量的语句并入前一条语句，不能合并时说明原因（无此选项时，能合并则合并"
+           "）"}));
+  command.add_flag("--no-merge-private", arguments.no_merge_private,
+                   invocation.Say({"count every state between two statements: more states",
+                                   "统计任意两条语句之间的每个状态：状态更多"}));
   command.add_flag(
       "--full", arguments.full,
       invocation.Say({"show every statement of a failing run and every pass of its loops",

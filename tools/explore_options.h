@@ -26,6 +26,7 @@ struct ExploreArguments {
   std::optional<int> preemptions;
   bool structured = false;
   bool merge_private = false;
+  bool no_merge_private = false;
   bool races = false;
   bool benign = false;
   std::string search;  ///< the file in which the search is kept

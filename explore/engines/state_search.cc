@@ -193,7 +193,7 @@ void Unmerge(const Problem& problem, Failure* failure) {
 Failure FirstWayToBad(const Problem& problem, const StateSearch& search) {
   Failure failure;
   failure.steps = search.graph.way_to_bad;
-  if (search.merged) return failure;
+  if (search.counts.merged) return failure;
   Model model = problem.model;
   failure.preemptions = CountPreemptions(&model, failure.steps);
   return failure;
@@ -203,7 +203,7 @@ Failure FirstWayToBad(const Problem& problem, const StateSearch& search) {
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   StateSearch search;
-  search.merged = limits.merge_private;
+  search.counts.merged = limits.merge_private;
   Model model = problem.model;
   model.TrackKey(true);
   KeySet globals;
@@ -274,7 +274,7 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
                                  const std::atomic<bool>* hurried) {
   const StateGraph& graph = search.graph;
   const auto in_statements = [&](std::optional<Failure> failure) {
-    if (failure && search.merged) Unmerge(problem, &*failure);
+    if (failure && search.counts.merged) Unmerge(problem, &*failure);
     return failure;
   };
   const auto walk_to_end = [&](const Failure& failure) {
@@ -291,7 +291,7 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
     }
   }
   const auto counted = [&](Failure failure) {
-    if (search.merged) {
+    if (search.counts.merged) {
       Unmerge(problem, &failure);
     } else {
       Model model = problem.model;

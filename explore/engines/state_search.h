@@ -28,6 +28,8 @@ struct StateCounts {
   int64_t bad_states = 0;
   int64_t final_globals = 0;
   int64_t final_full = 0;
+  /// The states are those between steps of several statements (StateLimits::merge_private).
+  bool merged = false;
   /// Different final globals with at most this number of preemptions.
   std::vector<int64_t> finals_within;
   bool complete = false;
@@ -43,7 +45,6 @@ struct StateSearch {
   StateGraph graph;
   std::vector<FoundRace> races;
   EndSet ends;  ///< if there are no requirements on results
-  bool merged = false;
 };
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);

@@ -148,6 +148,11 @@ bool Property::SeesLocals() const {
       places_, [](const Place& place) { return !place.returned && !place.slot.global; });
 }
 
+bool Property::SeesGlobalsAlone() const {
+  return std::ranges::all_of(
+      places_, [](const Place& place) { return !place.returned && place.slot.global; });
+}
+
 bool Property::Holds(const Model& model) const {
   return condition_.Holds([&](size_t name) {
     const Place& place = places_[name];

@@ -37,6 +37,8 @@ class Property {
   const std::string& text() const { return condition_.text(); }
   /// True if it names a local variable.
   bool SeesLocals() const;
+  /// True if it names globals alone.
+  bool SeesGlobalsAlone() const;
   /// It as a check of statements that a thread executes; -1: of any thread.
   StatementCheck AsCheck(int requirement, int thread, const Model& model) const;
   /// Evaluates it in the current state of a model of the same program.

@@ -261,10 +261,6 @@ ClaimEntry Bounds(const Findings& findings) {
   if (AsksForResponses(findings.subject) && !BuiltInOf(findings).livelock) {
     add({"leads: only runs that end", "leads：仅限会结束的运行"});
   }
-  if (exploration.merged) {
-    add({"statements that access no global are combined with the one before them",
-         "不涉及全局变量的语句并入前一条语句"});
-  }
   if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
     add({"none: every schedule was searched", "无：已搜索所有调度"});
   }

@@ -27,10 +27,11 @@ Message CountsOf(const TraceCounts& traces) {
 }
 
 Message CountsOf(const StateCounts& states) {
-  return MakeMessage("stateful: {0} states, {1} transitions, {2} bad, {3} different ends{4}",
-                     "stateful：{0} 个状态，{1} 次转移，错误 {2}，不同结局 {3}{5}", states.states,
-                     states.transitions, states.bad_states, states.final_full,
-                     states.complete ? "" : "; not all", states.complete ? "" : "；未搜索完");
+  return MakeMessage("stateful: {0} {6}states, {1} transitions, {2} bad, {3} different ends{4}",
+                     "stateful：{0} 个{7}状态，{1} 次转移，错误 {2}，不同结局 {3}{5}",
+                     states.states, states.transitions, states.bad_states, states.final_full,
+                     states.complete ? "" : "; not all", states.complete ? "" : "；未搜索完",
+                     states.merged ? "merged " : "", states.merged ? "合并后的" : "");
 }
 
 Message CountsOf(const BoundedCounts& bounded) {
@@ -153,6 +154,7 @@ std::string JsonReport(const Findings& findings) {
     json["states"] = states->states;
     json["transitions"] = states->transitions;
     json["states_complete"] = states->complete;
+    if (states->merged) json["states_merged"] = true;
     if (states->complete) {
       json["bad_states"] = states->bad_states;
       json["final_globals"] = states->final_globals;

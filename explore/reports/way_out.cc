@@ -89,7 +89,7 @@ std::vector<Message> NextOf(const Subject& subject, const Exploration& explorati
   };
   const bool of_states =
       options.engine == EngineKind::kAuto || options.engine == EngineKind::kStateful;
-  if (merges && !options.merge_private) add("--engine=stateful --merge-private");
+  if (merges && options.merge_private == false) add("--engine=stateful --merge-private");
   if (of_states && exploration.states && exploration.states->states >= options.state_limit) {
     add(fmt::format("--max-states={}", uint64_t{options.state_limit} * 4));
   }
@@ -130,9 +130,7 @@ WayOut WayOutOf(const Subject& subject, const Exploration& exploration,
     return MakeMessage("thread {0} repeats the loop at {1}", "线程 {0} 反复执行 {1} 处的循环",
                        NumberOf(subject, thread), PlaceOf(subject, thread, position));
   });
-  const bool sees_locals = std::ranges::any_of(
-      problem.requirements, [](const auto& bound) { return bound.property.SeesLocals(); });
-  way.next = NextOf(subject, exploration, options, !sees_locals);
+  way.next = NextOf(subject, exploration, options, !WhyNotMerged(problem));
   return way;
 }
 

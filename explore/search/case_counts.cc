@@ -38,6 +38,7 @@ void Add(const StateCounts& next, StateCounts* all) {
   all->bad_states += next.bad_states;
   all->final_globals += next.final_globals;
   all->final_full += next.final_full;
+  all->merged = all->merged || next.merged;
   all->finals_within.resize(std::max(all->finals_within.size(), next.finals_within.size()));
   for (size_t i = 0; i < next.finals_within.size(); ++i) {
     all->finals_within[i] += next.finals_within[i];
@@ -104,7 +105,6 @@ void AddCase(Exploration next, Exploration* all) {
   }
   all->ends = ends.ends();
   all->paired = all->paired || next.paired;
-  all->merged = all->merged || next.merged;
   all->horizon.axes |= next.horizon.axes;
   all->horizon.threads |= next.horizon.threads;
   if (next.horizon.at_ms) all->horizon.at_ms = next.horizon.at_ms;

@@ -127,7 +127,7 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
 StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* stop) {
   return {.states = options.state_limit,
           .states_after_bad = AftermathOf(options).states,
-          .merge_private = options.merge_private,
+          .merge_private = options.merge_private == true,
           .stop = stop,
           .progress = options.progress};
 }
@@ -164,7 +164,6 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   exploration.failure = FailureOf(problem, look, traces, states, HurriedOf(options.progress));
   if (traces) exploration.ends = traces->ends.ends();
   if (states) {
-    exploration.merged = states->merged;
     if (states->counts.complete || !traces) exploration.ends = states->ends.ends();
     exploration.states = std::move(states->counts);
     exploration.races = std::move(states->races);
@@ -200,6 +199,25 @@ bool SearchFewStates(const Problem& problem, const ExploreOptions& options, bool
   const bool bad = few.counts.bad_states > 0;
   if (enough) *states = std::move(few);
   return enough || bad;
+}
+
+/// Replaces a failure that was found in merged statements, and what was counted, by those of the
+/// graph of single statements, if that is small.
+void ShowInSingleStatements(const Problem& problem, const ExploreOptions& options,
+                            Exploration* exploration) {
+  if (!exploration->failure || !exploration->states || !exploration->states->merged) return;
+  ExploreOptions single = options;
+  single.merge_private = false;
+  single.state_limit =
+      std::min({options.state_limit, AftermathOf(options).states, kAftermath.states});
+  StateSearch states = SearchStates(problem, StatesOf(single, StopOf(options)));
+  if (!states.counts.complete) return;
+  auto failure = FailureIn(problem, states, HurriedOf(options.progress));
+  if (!failure) return;
+  exploration->failure = std::move(failure);
+  exploration->ends = states.ends.ends();
+  exploration->states = std::move(states.counts);
+  exploration->races = std::move(states.races);
 }
 
 }  // namespace
@@ -256,6 +274,28 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   return exploration;
 }
 
+std::optional<Message> WhyNotMerged(const Problem& problem) {
+  const auto sees_threads = [](const BoundRequirement& requirement) {
+    if (requirement.scope == Scope::kFinal || requirement.scope == Scope::kAssert) return false;
+    return !requirement.property.SeesGlobalsAlone() ||
+           (requirement.then && !requirement.then->SeesGlobalsAlone());
+  };
+  if (std::ranges::any_of(problem.requirements, sees_threads)) {
+    return MakeMessage(
+        "'always', 'never', 'eventually' and 'leads' cannot name locals or results of threads when "
+        "statements that touch only locals are merged",
+        "合并只涉及局部变量的语句时，“always”、“never”、“eventually”和“leads”不能引用局部变量或"
+        "线程的返回值");
+  }
+  if (problem.model.ChecksAreLocal()) return std::nullopt;
+  return MakeMessage(
+      "an assert names another thread's local or result, or more than {0} globals: statements that "
+      "touch only locals cannot be merged",
+      "断言引用了其他线程的局部变量或返回值，或超过 {0} "
+      "个全局变量：不能合并只涉及局部变量的语句",
+      AccessSet::kCheckedMax);
+}
+
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
   if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
       options.engine != EngineKind::kStateful) {
@@ -271,31 +311,9 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
                        "engine stateful",
                        "“leads”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful 引擎");
     }
-    const bool sees_locals = requirement.property.SeesLocals() || requirement.then->SeesLocals();
-    if (!options.merge_private || !sees_locals) continue;
-    return MakeError(1,
-                     "'leads' cannot name locals when statements that touch only locals are merged",
-                     "合并只涉及局部变量的语句时，“leads”不能引用局部变量");
   }
-  const auto sees_locals = [](const BoundRequirement& requirement) {
-    return requirement.scope != Scope::kFinal && requirement.property.SeesLocals();
-  };
-  if (options.merge_private && std::ranges::any_of(problem.requirements, sees_locals)) {
-    return MakeError(1,
-                     "'always', 'never' and 'eventually' cannot name locals "
-                     "when statements that "
-                     "touch only locals are merged",
-                     "合并只涉及局部变量的语句时，“always”、“never”和“eventuall"
-                     "y”不能引用局部变量");
-  }
-  if (options.merge_private && !problem.model.ChecksAreLocal()) {
-    return MakeError(1,
-                     "an assert names another thread's local or result, or more than {0} globals: "
-                     "statements that touch only locals cannot be merged",
-                     "断言引用了其他线程的局部变量或返回值，或超过 {0} "
-                     "个全局变量：不能合并只涉及局部变量的语句",
-                     AccessSet::kCheckedMax);
-  }
+  const auto unmergeable = WhyNotMerged(problem);
+  if (options.merge_private == true && unmergeable) return Error{1, *unmergeable};
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
@@ -346,6 +364,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;
   ExploreOptions searched = options;
+  if (!options.merge_private) searched.merge_private = !unmergeable && !look.found();
   if (look.found()) {
     searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
   }
@@ -381,6 +400,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   Exploration exploration =
       Conclude(problem, options, look, std::move(traces), std::move(states), engine);
   exploration.paired = paired;
+  if (!options.merge_private) ShowInSingleStatements(problem, options, &exploration);
   return exploration;
 }
 

@@ -65,8 +65,10 @@ struct ExploreOptions {
   /// Maximum number of statements of one execution; the dpor engine cannot handle longer ones.
   int64_t depth_limit = 100'000;
   /// kStateful, kAuto: combines a statement that accesses no global with the one before it
-  /// (StateLimits).
-  bool merge_private = false;
+  /// (StateLimits). It is an error where a requirement can see what is between them. Not given:
+  /// statements are combined where none can, as long as no failure is found; a failure is then
+  /// sought again in single statements, so that the simplest one is shown.
+  std::optional<bool> merge_private = {};
   /// Continues the search to its end after the first failure, so that all are counted. Otherwise it
   /// continues for a limited time, which is enough for complete counts of a small program.
   bool all = false;
@@ -111,7 +113,6 @@ struct Exploration {
       races;  ///< all races of the program, if the stateful engine searched for them
   /// Different ends, the smallest few; if there are no requirements on results.
   std::vector<End> ends;
-  bool merged = false;  ///< ExploreOptions::merge_private
   std::optional<Failure> failure;
 };
 
@@ -126,6 +127,10 @@ Message DescribeSamples(const SampleCounts& samples);
 Message DescribeBound(const BoundedCounts& bounded);
 /// The limits of a search of all schedules.
 Message DescribeLimits(const ExploreOptions& options);
+
+/// Why statements that access no global cannot be combined with the one before them: a requirement
+/// can see what is between them. Empty if they can.
+std::optional<Message> WhyNotMerged(const Problem& problem);
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);

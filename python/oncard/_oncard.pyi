@@ -50,7 +50,7 @@ def explore(
     engine: str,
     races: str,
     numbers: dict[str, int | None],
-    merge_private: bool,
+    merge_private: bool | None,
     all: bool,
     silent: list[str],
     seconds: float,

@@ -81,7 +81,7 @@ def explore(
     seed: SupportsIndex | None = None,
     depth: SupportsIndex | None = None,
     preemptions: SupportsIndex | None = None,
-    merge_private: bool = False,
+    merge_private: bool | None = None,
     all: bool = False,
     silent: Sequence[str] = (),
     seconds: float = 0,

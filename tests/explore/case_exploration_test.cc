@@ -46,7 +46,7 @@ TEST(CaseExploration, EveryValueOfAnInputIsProved) {
   int64_t transitions = 0;
   for (int x = -1; x <= 2; ++x) {
     const Findings one = FindingsOf(Adders(fmt::format("//@ init: x={}\n//@ final: g == 0\n", x)),
-                                    {.engine = EngineKind::kStateful});
+                                    {.engine = EngineKind::kStateful, .merge_private = true});
     states += one.exploration.states->states;
     transitions += one.exploration.states->transitions;
   }

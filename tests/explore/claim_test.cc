@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "explore/reports/report.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 using Json = nlohmann::json;
@@ -91,11 +93,18 @@ TEST(ClaimTest, BoundsAreThoseOfTheEngine) {
     EXPECT_EQ(json["bounds"], Json::array({c.bounds}));
     EXPECT_EQ(json["asked"]["livelock"], c.livelock) << c.bounds;
   }
-  const Json merged =
-      JsonOf(FindingsOf(source, {.engine = EngineKind::kStateful, .merge_private = true}));
-  EXPECT_EQ(
-      merged["bounds"],
-      Json::array({"statements that access no global are combined with the one before them"}));
+}
+
+TEST(ClaimTest, CountsSayWhetherStatesAreThoseOfMergedStatements) {
+  const std::string source = std::string(kTakeANumber) + "//@ final: next == 2\n";
+  const Findings merged = FindingsOf(source, {.engine = EngineKind::kStateful});
+  EXPECT_EQ(JsonOf(merged)["bounds"], Json::array({"none: every schedule was searched"}));
+  EXPECT_EQ(JsonOf(merged)["states_merged"], true);
+  EXPECT_THAT(TextReport(merged, Language::kEnglish), HasSubstr(" merged states, "));
+  const Findings single =
+      FindingsOf(source, {.engine = EngineKind::kStateful, .merge_private = false});
+  EXPECT_FALSE(JsonOf(single).contains("states_merged"));
+  EXPECT_THAT(TextReport(single, Language::kEnglish), Not(HasSubstr(" merged states, ")));
 }
 
 TEST(ClaimTest, AWorldIsNamedByItsHash) {

@@ -1,6 +1,7 @@
 // Verdicts of both engines (explore/search/explorer.h).
 #include "explore/search/explorer.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "explore_programs.h"
@@ -41,7 +42,8 @@ TEST(ExplorerTest, MergedStatementsDecideTheSame) {
   const ExploreOptions merged = {.engine = EngineKind::kStateful, .merge_private = true};
   for (const std::string& source :
        {Peterson(false), Peterson(true), MutualWait(), Increments(3, 2)}) {
-    const Exploration whole = RunOn(source, {.engine = EngineKind::kStateful});
+    const Exploration whole =
+        RunOn(source, {.engine = EngineKind::kStateful, .merge_private = false});
     const Exploration less = RunOn(source, merged);
     EXPECT_EQ(less.verdict, whole.verdict);
     EXPECT_LT(less.states->states, whole.states->states);
@@ -56,7 +58,73 @@ TEST(ExplorerTest, MergedStatementsDecideTheSame) {
       model.Step(thread);
     }
   }
-  EXPECT_FALSE(Explore(ProblemOf(Increments(2, 1) + "//@ never: page0.t == 7\n"), merged).ok());
+}
+
+// Between `x = 1` and the end of thread 0 there is a state that merging skips.
+TEST(ExplorerTest, StatementsAreNotMergedWhereARequirementSeesWhatIsBetween) {
+  const std::string threads =
+      "int x;\nint t0() {\n  int t;\n  x = 1;\n  t = 1;\n  t = 2;\n  return 5;\n}\n"
+      "int t1() {\n  x = 1;\n  return 0;\n}\n";
+  struct Case {
+    std::string requirement;
+    Verdict verdict;
+    bool mergeable;
+  };
+  for (const Case& c : {Case{"never: x == 1 && page0.t == 1", Verdict::kFailed, false},
+                        Case{"always: x == 0 || ret0 == 5", Verdict::kFailed, false},
+                        Case{"eventually: page0.t == 1", Verdict::kProved, false},
+                        Case{"leads: ret0 == 5 -> x == 1", Verdict::kProved, false},
+                        Case{"leads: x == 1 -> page0.t == 1", Verdict::kFailed, false},
+                        Case{"never: x == 2", Verdict::kProved, true},
+                        Case{"final: page0.t == 2 && ret0 == 5", Verdict::kProved, true}}) {
+    SCOPED_TRACE(c.requirement);
+    const Problem problem = ProblemOf("//@ " + c.requirement + "\n" + threads);
+    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful}).value();
+    EXPECT_EQ(found.verdict, c.verdict);
+    EXPECT_EQ(found.states->merged, c.mergeable);
+    const ExploreOptions merged = {.engine = EngineKind::kStateful, .merge_private = true};
+    EXPECT_EQ(Explore(problem, merged).ok(), c.mergeable);
+  }
+}
+
+// What is shown of a failure does not depend on whether its search has merged statements.
+TEST(ExplorerTest, AFailureIsShownAsInSingleStatements) {
+  for (const std::string& source : {Peterson(true), MutualWait(), Increments(2, 2)}) {
+    const Exploration whole =
+        RunOn(source, {.engine = EngineKind::kStateful, .merge_private = false});
+    const Exploration found = RunOn(source, {.engine = EngineKind::kStateful});
+    ASSERT_TRUE(found.failure && whole.failure);
+    EXPECT_EQ(found.failure->steps, whole.failure->steps);
+    EXPECT_EQ(found.failure->cycle, whole.failure->cycle);
+    EXPECT_EQ(found.failure->fewest_steps, whole.failure->fewest_steps);
+    EXPECT_EQ(found.states->states, whole.states->states);
+    EXPECT_FALSE(found.states->merged);
+  }
+}
+
+// A graph that is too large in single statements.
+TEST(ExplorerTest, AFailureInManyStatesIsShownInMergedStatements) {
+  const ExploreOptions few = {.engine = EngineKind::kStateful, .state_limit = 5000};
+  const Exploration found = RunOn(Increments(3, 2), few);
+  ASSERT_TRUE(found.failure);
+  EXPECT_TRUE(found.states->merged);
+  EXPECT_TRUE(found.states->complete);
+  EXPECT_EQ(found.failure->preemptions, 1);
+}
+
+// As single statements they are 8 242 408 states.
+TEST(ExplorerTest, ThreeThreadsOfFiftyIncrementsAreProved) {
+  std::string source = "int x;\n//@ final: x == 150\n";
+  for (int thread = 0; thread < 3; ++thread) {
+    source += fmt::format(
+        "int t{}() {{\n  int i, c;\nL:\n  x = x + 1;\n  i = i + 1;\n  c = i < 50;\n"
+        "  if (c) goto L;\n  return 0;\n}}\n",
+        thread);
+  }
+  const Exploration found = RunOn(source, {.engine = EngineKind::kStateful});
+  EXPECT_EQ(found.verdict, Verdict::kProved);
+  // Each thread is before one of its increments, or has ended.
+  EXPECT_EQ(found.states->states, 51 * 51 * 51);
 }
 
 TEST(ExplorerTest, TheFailureIsTheSimplestWhereStatesAreKnown) {

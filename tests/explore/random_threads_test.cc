@@ -225,7 +225,8 @@ TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
     const Problem problem = ProblemOf(RandomThreads(seed));
     const BruteForce all(problem.model);
     const auto dpor = Explore(problem, {.engine = EngineKind::kDpor});
-    const auto stateful = Explore(problem, {.engine = EngineKind::kStateful});
+    const auto stateful =
+        Explore(problem, {.engine = EngineKind::kStateful, .merge_private = false});
     const TraceCounts& traces = *dpor.value().traces;
     ASSERT_EQ(traces.executions, static_cast<int64_t>(all.traces()));
     ASSERT_EQ(traces.blocked, 0);

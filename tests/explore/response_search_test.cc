@@ -202,7 +202,8 @@ TEST(ResponseSearch, LeadsIsWhatTheDefinitionSays) {
     const std::string source = "//@ leads: a == 1 -> b == 1\n" + RandomAnswers(seed, loops, false);
     const Problem problem = ProblemOf(source);
     const AllStates all(problem);
-    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful}).value();
+    const Exploration found =
+        Explore(problem, {.engine = EngineKind::kStateful, .merge_private = false}).value();
     if (all.Violated()) {
       ++violated;
       ASSERT_EQ(found.verdict, Verdict::kFailed) << source;

@@ -126,8 +126,10 @@ TEST(StatementChecksTest, AllEnginesAgreeWithAPlainSearch) {
     const bool expected = PlainSearchOfChecks(source, problem.model.image().object).bad();
     bad += expected ? 1 : 0;
     EXPECT_EQ(Fails(problem, {.engine = EngineKind::kDpor}), expected);
-    EXPECT_EQ(Fails(problem, {.engine = EngineKind::kStateful}), expected);
-    EXPECT_EQ(Fails(problem, {.engine = EngineKind::kStateful, .merge_private = true}), expected);
+    for (const bool merge : {false, true}) {
+      EXPECT_EQ(Fails(problem, {.engine = EngineKind::kStateful, .merge_private = merge}),
+                expected);
+    }
     EXPECT_EQ(Fails(problem, {.engine = EngineKind::kAuto, .all = true}), expected);
 
     const Model start = ModelOfTraces(problem);

@@ -80,8 +80,8 @@ TEST(WayOutTest, OfAProgramNamesItsLoops) {
   const std::string counting =
       "int n, m;\n//@ never: n == 9999 && m == 1\n//@ never: m == 9\n"
       "int t0() {\nL:\n  n = n + 1;\n  goto L;\n}\n";
-  const Findings findings =
-      FindingsOf(counting, {.engine = EngineKind::kStateful, .state_limit = 100});
+  const Findings findings = FindingsOf(
+      counting, {.engine = EngineKind::kStateful, .state_limit = 100, .merge_private = false});
   ASSERT_EQ(findings.exploration.verdict, Verdict::kIncomplete);
   EXPECT_THAT(EnglishOf(findings.way_out.reached),
               ElementsAre("held so far: never: m == 9", HasSubstr("n == 9999 && m == 1")));

@@ -100,6 +100,7 @@ def test_a_search_that_is_cut_is_incomplete():
         ({"runs": 5}, "'runs' has no effect with the engine auto"),
         ({"engine": "pct", "depth": 0}, "'depth' must be from 1 to"),
         ({"engine": "dpor", "merge_private": True}, "'merge_private' has no effect"),
+        ({"engine": "dpor", "merge_private": False}, "'merge_private' has no effect"),
         ({"max_states": 4_000_000_001}, "'max_states' must be from 1 to 4000000000, not 4000000001"),
         ({"max_states": 1.5}, "'max_states' must be a whole number, not 1.5"),
         ({"seconds": -1}, "'seconds' must be a number from 0"),

@@ -181,7 +181,23 @@ INSTANTIATE_TEST_SUITE_P(
                     UnusedSetting{"auto", "--runs=5"}, UnusedSetting{"bounded", "--runs=5"},
                     UnusedSetting{"stateful", "--seed=5"}, UnusedSetting{"random", "--depth=5"},
                     UnusedSetting{"auto", "--depth=5"}, UnusedSetting{"dpor", "--preemptions=5"},
-                    UnusedSetting{"dpor", "--merge-private"}));
+                    UnusedSetting{"dpor", "--merge-private"},
+                    UnusedSetting{"bounded", "--no-merge-private"}));
+
+TEST(Explore, StatementsAreMergedOrNot) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kLostUpdate);
+  const ProcessResult refused =
+      RunOncard({"explore", "p.c", "--merge-private", "--no-merge-private"}, scratch.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("contradict each other: give one\n"));
+  for (const bool merge : {false, true}) {
+    const std::string option = merge ? "--merge-private" : "--no-merge-private";
+    const ProcessResult found =
+        RunOncard({"explore", "p.c", "--engine=stateful", option}, scratch.path());
+    EXPECT_EQ(found.out.find(" merged states, ") != std::string::npos, merge) << found.out;
+  }
+}
 
 TEST(Explore, ASearchFileHasAnEngineToo) {
   const ScratchFolder scratch;

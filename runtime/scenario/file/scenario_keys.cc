@@ -25,6 +25,7 @@ constexpr SearchSetting kSettings[] = {
     {"", "--depth", kOfPct},
     {"", "--preemptions", kOfBounded},
     {"", "--merge-private", kOfGraphs},
+    {"", "--no-merge-private", kOfGraphs},
 };
 
 }  // namespace

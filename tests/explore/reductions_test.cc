@@ -1,0 +1,146 @@
+// What a search leaves out by default changes no answer: on random programs it has the verdict, the
+// fault and the ends of the search of every state between two statements.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "explore/search/explorer.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Two or three threads of statements that access globals or not, of loops that wait for a global,
+/// that are bounded or alternate, and one requirement.
+std::string RandomWaiters(uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](uint64_t n) { return static_cast<int>(random() % n); };
+  constexpr const char* kRequirements[] = {
+      "final: g[0] != 2",
+      "final: ret0 < 2 || g[1] == 0",
+      "final: page1.k == 0 || g[0] < 2",
+      "never: g[0] == 1 && g[1] == 1",
+      "always: g[2] < 2 || g[0] == 0",
+      "never: page0.k == 1 && g[1] == 1",
+      "always: ret1 == 0 || g[0] == 0",
+      "eventually: g[0] == 1 && g[2] == 0",
+      "eventually: page1.k == 2",
+      "leads: g[0] == 1 -> g[1] == 1",
+      "leads: page0.k == 1 -> g[1] > 0",
+      "races: none",
+      "races: benign",
+      "livelock: any\n//@ never: g[0] == 2 && g[2] == 1",
+      "endless\n//@ always: g[1] < 2 || g[2] > 0",
+      "livelock: any\n//@ final: g[0] == g[1]",
+  };
+  std::string source = fmt::format(
+      "int g[3];\n//@ {}\n", kRequirements[static_cast<size_t>(below(std::size(kRequirements)))]);
+  const int threads = 2 + below(2);
+  for (int thread = 0; thread < threads; ++thread) {
+    source += fmt::format("int t{}() {{\n  int r, k, c;\n", thread);
+    const int statements = 1 + below(threads == 2 ? 4 : 2);
+    for (int i = 0; i < statements; ++i) {
+      if (below(5) == 0) {
+        source +=
+            fmt::format("  //@ assert: g[{}] != {} || k < {}\n", below(3), below(3), 1 + below(3));
+      }
+      switch (below(9)) {
+        case 0:
+          source += fmt::format("  r = g[{}];\n", below(3));
+          break;
+        case 1:
+          source += fmt::format("  g[{}] = {};\n", below(3), below(3));
+          break;
+        case 2:
+          source += fmt::format("  g[{0}] = g[{0}] + 1;\n", below(3));
+          break;
+        case 3:
+          source += "  k = k + 1;\n";
+          break;
+        case 4:
+          source += fmt::format("  k = r & 1;\n  g[{}] = k;\n", below(3));
+          break;
+        case 5:
+          source += fmt::format("W{0}:\n  c = g[{1}] == {2};\n  if (c) goto W{0};\n", i, below(3),
+                                below(2));
+          break;
+        case 6:
+          source += fmt::format("W{0}:\n  r = g[{1}];\n  c = r != 1;\n  if (c) goto W{0};\n", i,
+                                below(3));
+          break;
+        case 7:
+          source += fmt::format(
+              "  k = 0;\nL{0}:\n  k = k + 1;\n  g[{1}] = k;\n  c = k < 2;\n  if (c) goto L{0};\n",
+              i, below(3));
+          break;
+        default:
+          source += fmt::format(
+              "L{0}:\n  g[{1}] = 1;\n  g[{1}] = 0;\n  c = g[{2}] == 0;\n"
+              "  if (c) goto L{0};\n",
+              i, below(3), below(3));
+          break;
+      }
+    }
+    source += "  return r;\n}\n";
+  }
+  return source;
+}
+
+/// What two searches of one problem must agree about.
+void ExpectSame(const Exploration& found, const Exploration& whole) {
+  ASSERT_EQ(found.verdict, whole.verdict);
+  ASSERT_EQ(found.failure.has_value(), whole.failure.has_value());
+  if (!whole.failure) return;
+  EXPECT_EQ(found.failure->livelock, whole.failure->livelock);
+  EXPECT_EQ(found.failure->fault.kind, whole.failure->fault.kind);
+}
+
+/// ONCARD_RANDOM_WAITERS sets another number of random programs.
+uint64_t Waiters() {
+  const char* given = std::getenv("ONCARD_RANDOM_WAITERS");
+  return given == nullptr ? 1500 : std::strtoull(given, nullptr, 10);
+}
+
+TEST(ReductionsTest, MergedStatementsAnswerAsSingleOnes) {
+  uint64_t failed = 0;
+  uint64_t merged_ones = 0;
+  const uint64_t programs = Waiters();
+  for (uint64_t seed = 0; seed < programs; ++seed) {
+    const std::string source = RandomWaiters(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}", seed, source));
+    const Problem problem = ProblemOf(source);
+    const ExploreOptions single = {.engine = EngineKind::kStateful, .merge_private = false};
+    const Exploration whole = Explore(problem, single).value();
+    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful}).value();
+    failed += whole.failure ? 1 : 0;
+    ExpectSame(found, whole);
+    if (whole.failure) {
+      // It is shown as if nothing had been merged.
+      EXPECT_EQ(found.failure->steps, whole.failure->steps);
+      EXPECT_EQ(found.failure->cycle, whole.failure->cycle);
+      EXPECT_EQ(found.states->states, whole.states->states);
+    }
+    const auto merged = Explore(problem, {.engine = EngineKind::kStateful, .merge_private = true});
+    if (merged.ok()) {
+      ++merged_ones;
+      ExpectSame(merged.value(), whole);
+      EXPECT_EQ(merged.value().states->final_full, whole.states->final_full);
+      EXPECT_EQ(merged.value().states->finals_within, whole.states->finals_within);
+      // The last statements before a race are not merged.
+      const bool races = whole.failure && whole.failure->fault.kind == Fault::Kind::kRace;
+      if (whole.failure && !whole.failure->livelock && !races) {
+        EXPECT_EQ(merged.value().failure->preemptions, whole.failure->preemptions);
+      }
+    }
+    if (HasFailure()) return;
+  }
+  // Neither verdict is rare.
+  EXPECT_GT(failed, programs / 8);
+  EXPECT_LT(failed, programs * 7 / 8);
+  EXPECT_GT(merged_ones, programs / 2);
+}
+
+}  // namespace
+}  // namespace oncard::explore
