@@ -1,5 +1,5 @@
 // A session of the record of a host program. The module for programs has none: what reads records
-// is in the module for records only (web/wasm/records.cc). Tested by
+// is in the module with everything only (web/wasm/full.cc). Tested by
 // tests/session/host_calls_test.cc.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What the module imports and exports, and its answers to bad requests.
-//   node module_test.mjs MODULE
+//   node module_test.mjs MODULE FULL_MODULE
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -8,6 +8,7 @@ import { EngineModule, ModuleError } from "../../web/engine/engine_module.js";
 
 const bytes = readFileSync(process.argv[2]);
 const engine = await EngineModule.create(bytes);
+const full = await EngineModule.create(readFileSync(process.argv[3]));
 
 /** The request to run a program, after its scenario's other keys. */
 const runOf = (source, keys = "") => ({
@@ -15,8 +16,8 @@ const runOf = (source, keys = "") => ({
   request: "run",
   arguments: { main: "a.toml", files: { "a.toml": `program = "a.c"\n${keys}`, "a.c": source } },
 });
-const answerTo = (request) =>
-  JSON.parse(engine.handle(typeof request === "string" ? request : JSON.stringify(request)));
+const answerTo = (request, asked = engine) =>
+  JSON.parse(asked.handle(typeof request === "string" ? request : JSON.stringify(request)));
 const counting = runOf("int sum;\nint main() {\n  sum = 41;\n  sum = sum + 1;\n}\n");
 
 test("the module imports nothing: no clock, no random numbers, no files", async () => {
@@ -135,12 +136,18 @@ test("a session stops when its budget is used up, and goes on from there", async
   assert.equal(back.statements, first.state.statements);
 });
 
+test("the module for programs says which one explores", () => {
+  const { ok, error } = answerTo({ ...counting, request: "explore" });
+  assert.ok(!ok);
+  assert.match(error, /oncard-full\.wasm/);
+});
+
 test("an exploration finds a lost update", () => {
   const source =
     "int sum;\nint add() {\n  int copy;\n  copy = sum;\n  sum = copy + 1;\n}\n";
   const threads = '[[thread]]\nfunction = "add"\n[[thread]]\nthread = 1\npage = 1\nfunction = "add"\n';
   const request = runOf(source, `final = ["sum == 2"]\n${threads}`);
-  const { ok, result, error } = answerTo({ ...request, request: "explore" });
+  const { ok, result, error } = answerTo({ ...request, request: "explore" }, full);
   assert.ok(ok, error);
   assert.equal(result.report.verdict, "FAILED");
   assert.match(result.text, /sum is 1, expected 2/);
@@ -157,8 +164,8 @@ test("an exploration says which file is missing, and keeps no schedule of a proo
   const { arguments: good } = counting;
   const files = { "a.toml": good.files["a.toml"] };
   const request = { id: 1, request: "explore", arguments: { main: "a.toml", files } };
-  assert.deepEqual(answerTo(request).missing, ["a.c"]);
-  const { result } = answerTo({ ...counting, request: "explore" });
+  assert.deepEqual(answerTo(request, full).missing, ["a.c"]);
+  const { result } = answerTo({ ...counting, request: "explore" }, full);
   assert.equal(result.report.verdict, "PROVED");
   assert.ok(!("schedule" in result));
 });

@@ -1,4 +1,4 @@
-// The module for records gives the answers of this computer's build, byte by byte, whichever family
+// The module with everything gives the answers of this computer's build, byte by byte, whichever family
 // of cards the host drove; the module for programs refuses the same records.
 //   node record_equality_test.mjs MODULE REQUESTS ANSWERS PROGRAM_MODULE
 import assert from "node:assert/strict";

@@ -4,14 +4,15 @@
 
 #include "base/files.h"
 #include "base/json_text.h"
+#include "web/wasm/exploration.h"
 #include "web/wasm/module_host.h"
-#include "web/wasm/record_reader.h"
+#include "web/wasm/module_parts.h"
 
 namespace oncard::web {
 
 int WriteRequests(const std::vector<nlohmann::ordered_json>& requests,
                   const std::string& requests_path, const std::string& answers_path) {
-  ModuleHost host(RecordReader());
+  ModuleHost host(RecordReader(), Explore);
   std::string lines;
   std::string answers;
   for (const auto& request : requests) {

@@ -1,7 +1,6 @@
-// Writes requests to the module for records, one in each line, and beside them the answers of this
-// computer's build: sessions of hosts that drive cards, and of one that only opens a card for each
-// family.
-// tests/web/record_equality_test.mjs gives the requests to the module.
+// Writes requests to the module with everything, one in each line, and beside them the answers of
+// this computer's build: sessions of hosts that drive cards, and of one that only opens a card for
+// each family. tests/web/record_equality_test.mjs gives the requests to the module.
 //   web_record_requests REQUESTS ANSWERS
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,6 +1,6 @@
 // Bundles the command and packs it: everything that it needs is inside.
 //   node build.mjs MODULE RECORDS FOLDER   makes FOLDER/oncard-VERSION.tgz from the compiled packages,
-//                                          oncard-cli.wasm and oncard-records.wasm
+//                                          oncard-cli.wasm and oncard-full.wasm
 // Prints the name of the file. Tested by test/package.test.ts.
 
 import { execFileSync } from "node:child_process";
@@ -14,7 +14,7 @@ import { noticesOf } from "../vscode/notices.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const top = resolve(here, "../..");
-const [module, records, target] = process.argv.slice(2).map((path) => resolve(path));
+const [module, full, target] = process.argv.slice(2).map((path) => resolve(path));
 const stage = join(target, "package");
 
 rmSync(stage, { recursive: true, force: true });
@@ -41,8 +41,8 @@ const { metafile } = await build({
 });
 
 copyFileSync(module, join(stage, "oncard-cli.wasm"));
-// The servers for editors also read records of hosts.
-copyFileSync(records, join(stage, "oncard.wasm"));
+// The servers for editors also explore, and read records of hosts.
+copyFileSync(full, join(stage, "oncard.wasm"));
 copyFileSync(join(here, "README.md"), join(stage, "README.md"));
 copyFileSync(join(top, "LICENSE"), join(stage, "LICENSE"));
 writeFileSync(join(stage, "ThirdPartyNotices.txt"), noticesOf(here, metafile, ["libcli11-dev"]));

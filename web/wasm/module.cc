@@ -12,11 +12,11 @@
 
 #include "base/limits.h"
 #include "web/wasm/module_host.h"
-#include "web/wasm/record_reader.h"
+#include "web/wasm/module_parts.h"
 
 namespace {
 
-oncard::web::ModuleHost host(oncard::web::RecordReader());
+oncard::web::ModuleHost host(oncard::web::RecordReader(), oncard::web::ExplorerOfModule());
 std::string request;
 std::string answer;
 

@@ -7,13 +7,16 @@
 
 #include "explore/source_comments.h"
 #include "session/host.h"
+#include "web/wasm/module_parts.h"
 
 namespace oncard::web {
 
 class ModuleHost {
  public:
-  /// `calls` reads the records of hosts; nullptr: they are refused.
-  explicit ModuleHost(session::CallReader calls) : session_({}, explore::AddComments, calls) {}
+  /// `calls` reads the records of hosts, `explorer` answers requests to explore; nullptr: they are
+  /// refused.
+  ModuleHost(session::CallReader calls, Explorer explorer)
+      : session_({}, explore::AddComments, calls), explorer_(explorer) {}
 
   /// Executes one request: `explore`, as web/README.md describes it, or one of the session's. Every
   /// line of the answer ends in a newline. Any text is safe to give. Deterministic.
@@ -21,6 +24,7 @@ class ModuleHost {
 
  private:
   session::SessionHost session_;
+  Explorer explorer_;
 };
 
 }  // namespace oncard::web

@@ -1,8 +1,8 @@
 // The module for programs, which pages load first: it knows the families of cards with motion
-// programs, and reads no records of hosts.
+// programs, reads no records of hosts and searches no interleavings.
 #include "gtcalls/families.h"
 #include "gtcalls/gts/family.h"
-#include "web/wasm/record_reader.h"
+#include "web/wasm/module_parts.h"
 
 namespace oncard {
 
@@ -12,5 +12,7 @@ std::span<const gtcalls::Family* const> gtcalls::Families() {
 }
 
 session::CallReader web::RecordReader() { return nullptr; }
+
+web::Explorer web::ExplorerOfModule() { return nullptr; }
 
 }  // namespace oncard

@@ -24,7 +24,7 @@ import { afterAll, beforeAll, describe, expect, onTestFinished, test } from "vit
 import { oncard, sample, top } from "../../engine/test/support.js";
 
 const command = `${top}/build/web/oncard-cli.wasm`;
-const records = `${top}/build/web/oncard-records.wasm`;
+const full = `${top}/build/web/oncard-full.wasm`;
 
 /** Of the packed file, in bytes: it is downloaded. */
 const sizeMax = 3_500_000;
@@ -49,7 +49,7 @@ describe.skipIf(!existsSync(command))("the package", () => {
     work = mkdtempSync(join(tmpdir(), "oncard-"));
     const made = spawnSync(
       process.execPath,
-      [join(top, "web/cli/build.mjs"), command, records, work],
+      [join(top, "web/cli/build.mjs"), command, full, work],
       { encoding: "utf8" },
     );
     if (made.status !== 0) throw new Error(made.stderr);

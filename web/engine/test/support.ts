@@ -15,7 +15,7 @@ export const oncard = resolve(process.env["ONCARD"] ?? `${top}/build/bin/oncard`
 if (!existsSync(oncard)) throw new Error(`there is no ${oncard}: build it, or set ONCARD`);
 
 /** What `./x wasm` builds; without it the module is not tested here. */
-export const wasm = `${top}/build/web/oncard.wasm`;
+export const wasm = `${top}/build/web/oncard-full.wasm`;
 export const withoutModule = !existsSync(wasm);
 
 export function sample(path: string): string {

@@ -13,7 +13,7 @@ import { afterAll, describe, expect, test } from "vitest";
 
 const top = fileURLToPath(new URL("../../../", import.meta.url));
 const oncard = resolve(process.env["ONCARD"] ?? `${top}/build/bin/oncard`);
-const wasm = `${top}/build/web/oncard.wasm`;
+const wasm = `${top}/build/web/oncard-full.wasm`;
 
 const lessons = collectLessons().map((each) => ({ ...each, name: basename(each.folder) }));
 

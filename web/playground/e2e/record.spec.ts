@@ -41,7 +41,7 @@ test("a record of a GE card moves its axes, and the program comes back", async (
   expect(modules).toEqual(["oncard.wasm"]);
   await choose(page, line);
   await expect(page.getByText("0 of 6 calls made")).toBeVisible();
-  expect(modules).toEqual(["oncard.wasm", "oncard-records.wasm"]);
+  expect(modules).toEqual(["oncard.wasm", "oncard-full.wasm"]);
   await expect(page.getByRole("button", { name: "Explore" })).toBeDisabled();
   await expectAccessible(page);
   await page.keyboard.press("F8");
@@ -56,13 +56,13 @@ test("a record of a GE card moves its axes, and the program comes back", async (
   await expect(status(page)).toHaveText("Card ready.");
 });
 
-test("without the module for records the program stays on the card", async ({ page }) => {
+test("without the module with everything the program stays on the card", async ({ page }) => {
   await open(page);
-  await page.route("**/oncard-records.wasm", (route) => route.fulfill({ status: 503 }));
+  await page.route("**/oncard-full.wasm", (route) => route.fulfill({ status: 503 }));
   page.removeAllListeners("console"); // the browser reports the failure
   await choose(page, line);
   await expect(status(page)).toContainText("Records of hosts cannot be opened");
-  await page.unroute("**/oncard-records.wasm");
+  await page.unroute("**/oncard-full.wasm");
   await choose(page, line);
   await expect(page.getByText("0 of 6 calls made")).toBeVisible();
 });

@@ -41,7 +41,7 @@ let engine: Promise<Engine> | undefined;
 let asked = 0;
 
 async function prover(): Promise<Engine> {
-  engine ??= startModule();
+  engine ??= startModule("explorations");
   const started = await engine;
   started.onEnded = () => {
     engine = undefined;

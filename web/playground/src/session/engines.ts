@@ -7,16 +7,17 @@ import { hasEngineHere } from "../share/address.js";
 
 /**
  * What an engine is for. Programs are what everybody begins with; the module for them is smaller.
- * That for records knows all families of cards, and programs, too.
+ * The other one explores them, too, and reads records of all families of cards.
  */
-export type Purpose = "programs" | "records";
+export type Purpose = "programs" | "explorations" | "records";
 
 const files: Record<Purpose, string> = {
   programs: "oncard.wasm",
-  records: "oncard-records.wasm",
+  explorations: "oncard-full.wasm",
+  records: "oncard-full.wasm",
 };
 
-const modules = new Map<Purpose, Promise<WebAssembly.Module>>();
+const modules = new Map<string, Promise<WebAssembly.Module>>();
 
 async function fetchModule(file: string): Promise<WebAssembly.Module> {
   const response = await fetch(new URL(file, document.baseURI));
@@ -26,12 +27,13 @@ async function fetchModule(file: string): Promise<WebAssembly.Module> {
 }
 
 async function compiledModule(purpose: Purpose): Promise<WebAssembly.Module> {
-  const module = modules.get(purpose) ?? fetchModule(files[purpose]);
-  modules.set(purpose, module);
+  const file = files[purpose];
+  const module = modules.get(file) ?? fetchModule(file);
+  modules.set(file, module);
   try {
     return await module;
   } catch (error) {
-    modules.delete(purpose); // the next attempt fetches it again
+    modules.delete(file); // the next attempt fetches it again
     throw error;
   }
 }
