@@ -14,6 +14,7 @@
 #include "explore/engines/short_traces.h"
 #include "explore/engines/trace_names.h"
 #include "explore/engines/trace_plans.h"
+#include "explore/engines/waiting_loop.h"
 
 namespace oncard::explore {
 namespace {
@@ -39,6 +40,7 @@ struct Event {
   std::array<uint32_t, AccessSet::kReadMax + 2> before{};
   uint64_t name = 0;   ///< NameEvent()
   uint64_t trace = 0;  ///< the sum of the names up to this one
+  bool waits = false;  ///< its thread now waits in a loop (waiting_loop.h), which this step began
   std::vector<uint32_t>
       races;  ///< earlier events that it races with and whose reversal is not settled yet
 };
@@ -75,7 +77,11 @@ class ModelEnd : public TraceEnd {
 class Search {
  public:
   Search(Model* model, const DporLimits& limits, const FinalVisitor& visit, TraceNames* names)
-      : model_(*model), limits_(limits), visit_(visit), names_(*names) {}
+      : model_(*model),
+        limits_(limits),
+        visit_(visit),
+        names_(*names),
+        may_wait_(model->HasLoops()) {}
 
   /// Goes on from a handover of the search of short traces, which has the result so far.
   DporResult Run(TraceUnit* unit, const TraceHandover& handover, const DporResult& result) {
@@ -113,7 +119,7 @@ class Search {
       const TraceUnit unit = std::move(open.front());
       open.pop_front();
       TakePrefix(unit);
-      if (model_.runnable() == 0) {
+      if (Enabled() == 0) {
         whole.push_back(unit);
       } else {
         SplitInto(unit, &open);
@@ -173,7 +179,7 @@ class Search {
   /// Splits a unit into units whose prefixes are one step longer.
   void SplitInto(const TraceUnit& unit, std::deque<TraceUnit>* units) const {
     std::vector<Step> sleep = frames_[count_].sleep;
-    for (uint32_t left = model_.runnable(); left != 0; left &= left - 1) {
+    for (uint32_t left = Enabled(); left != 0; left &= left - 1) {
       const int thread = std::countr_zero(left);
       if (std::ranges::find(sleep, thread, &Step::thread) != sleep.end()) continue;
       const Step step = NextStep(thread);
@@ -260,7 +266,7 @@ class Search {
 
   /// Executes steps from the current state until the execution ends.
   void Descend() {
-    while (model_.runnable() != 0) {
+    while (Enabled() != 0) {
       if (model_.depth() >= limits_.depth) {
         stopped_ = true;
         result_.too_deep = true;
@@ -279,7 +285,7 @@ class Search {
 
   /// Plans a step of any thread that is not in the sleep set.
   bool PlanFirst(Frame* frame) {
-    uint32_t awake = model_.runnable();
+    uint32_t awake = Enabled();
     for (const Step& asleep : frame->sleep) awake &= ~(1u << asleep.thread);
     if (awake == 0) return false;
     const int thread = std::countr_zero(awake);
@@ -306,7 +312,50 @@ class Search {
     AppendEvent(step);
     model_.Step(step.thread);
     RunPrivate(step.thread);
-    events_[count_ - 1].statements = model_.depth() - before;
+    Event& event = events_[count_ - 1];
+    event.statements = model_.depth() - before;
+    event.waits =
+        may_wait_ && step.access.write == AccessSet::kNone && model_.Running(step.thread) &&
+        model_.NextAccess(step.thread).SameAs(step.access) && WaitsInLoop(&model_, step.thread);
+  }
+
+  /// Bit n: thread n can execute a step. A thread that waits in a loop cannot before another one
+  /// has written what it reads: until then a pass of its loop changes nothing.
+  uint32_t Enabled() const {
+    uint32_t enabled = model_.runnable();
+    if (!may_wait_) return enabled;
+    for (uint32_t left = enabled; left != 0; left &= left - 1) {
+      const int thread = std::countr_zero(left);
+      const uint32_t latest = latest_of_thread_[static_cast<size_t>(thread)];
+      if (latest == 0 || !events_[latest - 1].waits) continue;
+      if (!IsWrittenAfter(latest)) enabled &= ~(1u << thread);
+    }
+    return enabled;
+  }
+
+  /// True if one of the cells that an event, counted from 1, has read was written after it.
+  bool IsWrittenAfter(uint32_t event) const {
+    const AccessSet& access = events_[event - 1].step.access;
+    for (uint32_t i = 0; i < access.read_count; ++i) {
+      const size_t write = size_t{access.reads[i]} * (threads_ + 1) + threads_;
+      if (write < latest_of_cell_.size() && latest_of_cell_[write] > event) return true;
+    }
+    return false;
+  }
+
+  /// True if the later event was enabled by the earlier one: its thread waited for this write
+  /// alone.
+  bool EndsWait(size_t earlier, size_t later) const {
+    const uint32_t own = events_[later].before[0];  // the event before it in its thread
+    if (own == 0 || !events_[own - 1].waits) return false;
+    for (size_t i = own; i < later; ++i) {
+      const uint32_t written = events_[i].step.access.write;
+      if (i != earlier && written != AccessSet::kNone &&
+          events_[later].step.access.Touches(written)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Adds an event. Determines which events happen before it, and with which of them it races:
@@ -430,6 +479,8 @@ class Search {
   /// up to and including the later event.
   bool Reverse(size_t earlier, size_t later) {
     if (earlier < first_) return true;  // another unit begins with the reversal
+    // The other order is a pass more of a loop, after which everything is as before it.
+    if (EndsWait(earlier, later)) return true;
     rest_.clear();
     for (size_t i = earlier + 1; i < later; ++i) AppendConcurrent(earlier, i);
     rest_.push_back(&events_[later].step);
@@ -517,6 +568,7 @@ class Search {
   const DporLimits& limits_;
   const FinalVisitor& visit_;
   TraceNames& names_;
+  bool may_wait_;  ///< a thread can jump back
   size_t threads_ = 0;
   DporResult result_;
   bool stopped_ = false;

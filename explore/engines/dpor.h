@@ -12,7 +12,14 @@
 //
 // A step of the search is one statement that accesses shared cells, together with the following
 // statements that do not. Executions of few steps are searched by short_traces.h, in the same
-// order. Deterministic; not thread-safe. Tested by tests/explore/dpor_test.cc.
+// order.
+//
+// A thread that has executed a pass of a loop in which it waits (waiting_loop.h) executes the next
+// one only after another thread has written what the loop reads. What is left out are passes that
+// change nothing. So an execution ends also when all threads that run wait for ever; its last state
+// is the end of no run. No thread disables another one, and where a write enables a thread, its
+// order with that thread's step cannot be reversed: this is all that the algorithm needs to know.
+// Deterministic; not thread-safe. Tested by tests/explore/dpor_test.cc.
 #pragma once
 
 #include <atomic>
@@ -93,7 +100,7 @@ class TraceEnd {
   TraceEnd& operator=(const TraceEnd&) = delete;
   virtual ~TraceEnd() = default;
 
-  /// The final state. Its steps are only known to Threads().
+  /// The final state; threads that run there wait for ever. Its steps are only known to Threads().
   virtual const Model& State() = 0;
   /// Within one call of ExploreUnit() equal numbers belong to equal final states; kNoNumber if that
   /// is not known. They are small enough to index a vector.

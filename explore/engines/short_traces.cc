@@ -103,7 +103,8 @@ class ShortSearch : public TraceEnd {
         limits_(limits),
         visit_(visit),
         result_(*result),
-        names_(*names) {}
+        names_(*names),
+        may_wait_(model.HasLoops()) {}
 
   std::optional<TraceHandover> Run(TraceUnit* unit) {
     if (!program_.Begin() || !TakePrefix(*unit)) return TraceHandover{};
@@ -232,6 +233,11 @@ class ShortSearch : public TraceEnd {
     auto& plan = pool_[frame.plans];
     const ShortStep step = plan.step;
     if (count_ == kEventMax || !program_.Step(step.thread())) return false;
+    if (may_wait_ && program_.Repeats(step.thread(), step.access())) {
+      // The general search knows what threads wait for.
+      program_.Undo();
+      return false;
+    }
     while (access_count_ < program_.access_count()) AddAccess();
     ShortFrame& next = frames_[count_ + 1];
     next.plans = plan.first_child;
@@ -411,6 +417,7 @@ class ShortSearch : public TraceEnd {
   const FinalVisitor& visit_;
   DporResult& result_;
   TraceNames& names_;
+  bool may_wait_;  ///< a thread can jump back
   bool stopped_ = false;
   bool stuck_ = false;  ///< a step could not be executed
   size_t first_ = 0;    ///< the unit's first event; those before it are its prefix

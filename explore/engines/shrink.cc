@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "explore/engines/progress.h"
+#include "explore/engines/waiting_loop.h"
 #include "explore/engines/walk.h"
 
 namespace oncard::explore {
@@ -181,6 +182,24 @@ Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps,
                const std::atomic<bool>* hurried) {
   Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort, hurried).Run(steps);
   TakeRacingStatements(problem, &failure);
+  return failure;
+}
+
+Failure ShrinkExecution(const Problem& problem, const std::vector<uint8_t>& steps,
+                        const std::atomic<bool>* hurried) {
+  ProgramWalk walk(problem);
+  Model end = problem.model;
+  for (const uint8_t thread : steps) {
+    walk.Step(thread);
+    if (walk.fault()) return Shrink(problem, steps, hurried);
+    end.Step(thread);
+  }
+  Failure failure;
+  failure.livelock = true;
+  failure.steps = steps;
+  failure.cycle = EndlessWait(std::move(end));
+  Model start = problem.model;
+  failure.preemptions = CountPreemptions(&start, steps);
   return failure;
 }
 

@@ -29,6 +29,10 @@ void TakeRacingStatements(const Problem& problem, Failure* failure);
 /// thread, the simplest schedule so far is taken.
 Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps,
                const std::atomic<bool>* hurried = nullptr);
+/// The same of an execution of the search of traces (dpor.h); if it leads to no fault, all threads
+/// that run wait for ever, and nothing is removed.
+Failure ShrinkExecution(const Problem& problem, const std::vector<uint8_t>& steps,
+                        const std::atomic<bool>* hurried = nullptr);
 /// The same with a card.
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps,
                    const std::atomic<bool>* hurried = nullptr);

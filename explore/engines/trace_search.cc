@@ -114,6 +114,7 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
   enum class Judgement : uint8_t { kNot, kGood, kBad };
   std::vector<Judgement> judged;
   const auto judge = [&](TraceEnd* end) {
+    if (end->State().runnable() != 0) return !problem.may_last || goes_wrong(end);
     ends.Add(problem, end->State());
     return goes_wrong(end);
   };

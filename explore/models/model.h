@@ -63,6 +63,12 @@ struct AccessSet {
     if (read_count < kReadMax) Read(cell);
   }
   bool empty() const { return read_count == 0 && write == kNone; }
+  /// True if it reads the same cells in the same order, and writes the same one.
+  bool SameAs(const AccessSet& other) const {
+    return write == other.write &&
+           std::ranges::equal(std::span(reads).first(read_count),
+                              std::span(other.reads).first(other.read_count));
+  }
   bool Touches(uint32_t cell) const {
     for (uint32_t i = 0; i < read_count; ++i) {
       if (reads[i] == cell) return true;

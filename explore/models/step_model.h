@@ -57,6 +57,13 @@ class StepModel {
     if (!known_.Runs(step->next)) runnable_ &= ~(1u << thread);
     return true;
   }
+  /// True if the thread runs, and its next step has this access and changes nothing.
+  bool Repeats(int thread, uint8_t access) {
+    const uint32_t state = now_[Index(thread)];
+    if (!known_.Runs(state) || known_.AccessOf(state) != access) return false;
+    const ThreadStates::Step* next = known_.StepOf(state, globals_);
+    return next != nullptr && next->next == state && next->cell == AccessSet::kNone;
+  }
   /// Undoes the last step.
   void Undo() {
     const Taken& taken = path_.back();

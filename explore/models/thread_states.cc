@@ -9,11 +9,6 @@ namespace {
 /// Maximum number of different values of all states together.
 constexpr size_t kValueMax = size_t{1} << 23;
 
-bool SameCells(const AccessSet& a, const AccessSet& b) {
-  return a.write == b.write && std::ranges::equal(std::span(a.reads).first(a.read_count),
-                                                  std::span(b.reads).first(b.read_count));
-}
-
 }  // namespace
 
 ThreadStates::ThreadStates(const Model& model, int64_t statements, size_t state_max)
@@ -91,8 +86,8 @@ uint32_t ThreadStates::StateInScratch(int thread) {
 }
 
 std::optional<uint8_t> ThreadStates::NumberOf(const AccessSet& access) {
-  const auto known = std::ranges::find_if(
-      accesses_, [&](const AccessSet& other) { return SameCells(other, access); });
+  const auto known =
+      std::ranges::find_if(accesses_, [&](const AccessSet& other) { return other.SameAs(access); });
   if (known != accesses_.end()) return static_cast<uint8_t>(known - accesses_.begin());
   if (accesses_.size() == kAccessMax) return std::nullopt;
   const size_t number = accesses_.size();

@@ -151,7 +151,9 @@ std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
     if (failure && failure->fault.kind == Fault::Kind::kRace) return failure;
     if (failure) return Shrink(problem, failure->steps, hurried);
   }
-  if (traces && !traces->failing.empty()) return Shrink(problem, traces->failing, hurried);
+  if (traces && !traces->failing.empty()) {
+    return ShrinkExecution(problem, traces->failing, hurried);
+  }
   return std::nullopt;
 }
 

@@ -138,7 +138,7 @@ Exploration Conclude(const Problem& problem, const SearchFile& file, std::option
   const std::vector<uint8_t>& failing = random ? file.samples.failing : file.traces.failing;
   if (random ? file.samples.bad > 0 : file.traces.bad > 0) {
     exploration.verdict = Verdict::kFailed;
-    exploration.failure = known ? std::move(known) : Shrink(problem, failing);
+    exploration.failure = known ? std::move(known) : ShrinkExecution(problem, failing);
   } else if (!file.done() || !file.whole()) {
     exploration.verdict = file.done() ? Verdict::kPassed : Verdict::kIncomplete;
     exploration.why = WhyNotProved(file, file.done());

@@ -117,8 +117,42 @@ TEST(DporTest, UnitsHaveEveryTraceOnce) {
 }
 
 TEST(DporTest, AnExecutionThatDoesNotEndIsGivenUp) {
-  const DporResult result = Count(MutualWait(), {.depth = 1000});
+  const DporResult result =
+      Count("int x;\nint t0() {\nL:\n  x = x + 1;\n  goto L;\n}\n", {.depth = 1000});
   EXPECT_FALSE(result.complete);
+  EXPECT_TRUE(result.too_deep);
+}
+
+/// A thread that waits for `x` to be `value`.
+std::string Waits(int thread, int value) {
+  return fmt::format(
+      "int t{}() {{\n  int c;\nW:\n  c = x != {};\n  if (c) goto W;\n  return 0;\n}}\n", thread,
+      value);
+}
+
+// A thread looks again only after a write: it sees the write at once, or each value before it at
+// most once.
+TEST(DporTest, AWaitingThreadLooksAgainAfterWrites) {
+  const std::string setter = "int x;\nint t0() {\n  x = 1;\n  return 0;\n}\n";
+  ExpectTraces(setter + Waits(1, 1), 2);
+  ExpectTraces(setter + Waits(1, 1) + Waits(2, 1), 4);
+  ExpectTraces("int x;\nint t0() {\n  x = 1;\n  x = 2;\n  return 0;\n}\n" + Waits(1, 2), 4);
+}
+
+TEST(DporTest, ThreadsThatWaitForEverEndAnExecution) {
+  // Thread 1 looks at x before, between or after the writes; it ends if it sees 1.
+  Problem problem =
+      ProblemOf("int x;\nint t0() {\n  x = 1;\n  x = 2;\n  return 0;\n}\n" + Waits(1, 1));
+  int ended = 0;
+  int waiting = 0;
+  const DporResult result = ExploreTraces(&problem.model, {}, [&](TraceEnd* end) {
+    ++(end->State().runnable() == 0 ? ended : waiting);
+    return true;
+  });
+  EXPECT_TRUE(result.complete);
+  // Seen: 1; 0 1. Not seen: 2; 0 2.
+  EXPECT_EQ(ended, 2);
+  EXPECT_EQ(waiting, 2);
 }
 
 TEST(DporTest, TheModelIsLeftWhereItWas) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "explore/engines/dpor.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
 
@@ -140,6 +141,66 @@ TEST(ReductionsTest, MergedStatementsAnswerAsSingleOnes) {
   EXPECT_GT(failed, programs / 8);
   EXPECT_LT(failed, programs * 7 / 8);
   EXPECT_GT(merged_ones, programs / 2);
+}
+
+/// The executions of a split search whose parts are interrupted again and again.
+int64_t ExecutionsOfParts(const Problem& problem, bool general) {
+  Model model = ModelOfTraces(problem);
+  int64_t executions = 0;
+  for (TraceUnit& unit : SplitTraces(&model, 5)) {
+    DporResult result;
+    do {
+      result = ExploreUnit(&model, &unit, {.executions = 2, .general = general},
+                           [](TraceEnd*) { return true; });
+      executions += result.executions;
+    } while (!result.complete && !result.too_deep);
+  }
+  return executions;
+}
+
+// The search of traces ends where threads wait for others. It gives up loops that do more than
+// that.
+TEST(ReductionsTest, TracesWithWaitingLoopsAnswerAsStates) {
+  uint64_t answered = 0;
+  uint64_t endless = 0;
+  const uint64_t programs = Waiters();
+  for (uint64_t seed = 0; seed < programs; ++seed) {
+    const std::string source = RandomWaiters(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}", seed, source));
+    const Problem problem = ProblemOf(source);
+    if (!CanSearchTraces(problem) || problem.races == RaceRule::kBenign) continue;
+    const ExploreOptions single = {.engine = EngineKind::kStateful, .merge_private = false};
+    const Exploration whole = Explore(problem, single).value();
+    const Exploration found =
+        Explore(problem, {.engine = EngineKind::kDpor, .depth_limit = 300}).value();
+    EXPECT_EQ(found.traces->blocked, 0);
+    EXPECT_EQ(found.traces->redundant, 0);
+    if (found.verdict == Verdict::kIncomplete) continue;
+    ++answered;
+    ASSERT_EQ(found.verdict, whole.verdict);
+    // A failing check ends its thread before the statement, but not in the graph of states.
+    if (found.verdict == Verdict::kProved) {
+      EXPECT_EQ(found.traces->final_full, whole.states->final_full);
+    }
+    if (found.traces->complete && found.traces->executions < 200) {
+      for (const bool general : {false, true}) {
+        EXPECT_EQ(ExecutionsOfParts(problem, general), found.traces->executions);
+      }
+    }
+    if (found.failure && found.failure->livelock) {
+      ++endless;
+      // The statements of the loop lead back to where it began.
+      Model model = problem.model;
+      for (const uint8_t thread : found.failure->steps) model.Step(thread);
+      const StateKey begin = model.key();
+      for (const uint8_t thread : found.failure->cycle) model.Step(thread);
+      EXPECT_EQ(model.key(), begin);
+      EXPECT_FALSE(found.failure->cycle.empty());
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(answered, programs / 3);
+  EXPECT_GT(endless, programs / 50);
 }
 
 }  // namespace

@@ -185,7 +185,11 @@ TEST(ShortTracesTest, TheLimitOfStatementsIsTheSame) {
           "  return 0;\n}\n"),
       {}, {.depth = 50});
   EXPECT_TRUE(endless.too_deep);
-  EXPECT_TRUE(ExpectSame(ProblemOf(MutualWait()), {}, {.depth = 1000}).too_deep);
+  const Found turning =
+      ExpectSame(ProblemOf("int x;\nint t0() {\nL:\n  x = 1;\n  x = 0;\n  goto L;\n}\n"
+                           "int t1() {\n  int c;\nW:\n  c = x != 2;\n  if (c) goto W;\n}\n"),
+                 {}, {.depth = 1000});
+  EXPECT_TRUE(turning.too_deep);
 }
 
 /// A thread that writes y many times if it finds that value of x.
