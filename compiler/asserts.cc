@@ -9,10 +9,6 @@
 namespace oncard::compiler {
 namespace {
 
-bool Contains(const SourceRange& outer, const SourceRange& inner) {
-  return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
-}
-
 // The first statement of a function behind a comment. One that is several on the card begins with
 // the first of these.
 std::optional<size_t> StatementBehind(const SourceRange& comment,
@@ -27,6 +23,10 @@ std::optional<size_t> StatementBehind(const SourceRange& comment,
 }
 
 }  // namespace
+
+bool Contains(const SourceRange& outer, const SourceRange& inner) {
+  return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
+}
 
 std::vector<AssertComment> FindAsserts(const std::deque<SourceFile>& files) {
   std::vector<AssertComment> comments;

@@ -23,6 +23,9 @@ std::vector<AssertComment> FindAsserts(const std::deque<SourceFile>& files);
 /// Reports a comment that has no condition, or no statement behind it in a function.
 void ReportAssert(const AssertComment& comment, bool in_function, Reporter& reporter);
 
+/// True if a place lies in another one.
+bool Contains(const SourceRange& outer, const SourceRange& inner);
+
 /// Gives each function of an object its asserts: each belongs to the first statement behind it in
 /// the function. Reports those that have none.
 void PlaceAsserts(const std::deque<SourceFile>& files, const std::vector<FunctionPlaces>& places,

@@ -81,6 +81,10 @@ struct Symbol {
 struct Assert {
   uint16_t position = 0;  ///< of the statement in its function, from 0
   std::string condition;  ///< `x < 3`
+  /// Of structured C: the condition as its source has it, and by the names of the program those
+  /// that its source uses. Empty: the same.
+  std::string written = {};
+  std::vector<std::pair<std::string, std::string>> names = {};
   bool operator==(const Assert&) const = default;
 };
 

@@ -56,7 +56,8 @@ FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
   FunctionCost cost;
   cost.name = function.name;
   for (const Instruction& instruction : function.code) {
-    ++(instruction.kind == Instruction::Kind::kLabel ? cost.labels : cost.statements);
+    if (instruction.kind == Instruction::Kind::kLabel) ++cost.labels;
+    if (instruction.IsStatement()) ++cost.statements;
   }
   for (const int number : PageOf(program, function)) {
     const Variable& variable = program.variables[static_cast<size_t>(number)];

@@ -52,7 +52,7 @@ struct Operand {
   bool IsVariable() const { return kind == Kind::kVariable; }
 };
 
-/// One simple statement of the card, or a label.
+/// One simple statement of the card, a label, or an assert.
 struct Instruction {
   enum class Kind : uint8_t {
     kUnary,   ///< target = op a; the copy too
@@ -61,12 +61,14 @@ struct Instruction {
     kGoto,    ///< label
     kIf,      ///< a is an int variable or member; label
     kReturn,  ///< a, which may be absent
-    kCall     ///< command, arguments
+    kCall,    ///< command, arguments
+    kAssert   ///< assertion, whose names are the arguments; belongs to the next statement
   };
   Kind kind = Kind::kUnary;
   vm::UnaryOperator unary = vm::UnaryOperator::kCopy;
   vm::BinaryOperator binary = vm::BinaryOperator::kAdd;
   int label = -1;
+  int assertion = -1;  ///< in Program::assertions
   Operand target;
   Operand a;
   Operand b;
@@ -76,6 +78,7 @@ struct Instruction {
   int statement = 0;  ///< the full expression of C that it belongs to, for atomicity
 
   bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
+  bool IsStatement() const { return kind != Kind::kLabel && kind != Kind::kAssert; }
 };
 
 /// Replaces what an instruction does by a copy of a value to its target.
@@ -112,12 +115,22 @@ struct NamedConstant {
   bool ambiguous = false;  ///< the name has another value elsewhere, so nothing is called so
 };
 
+/// An assert at one place of a thread function, where what it names are variables of that function.
+struct Assertion {
+  SourceRange comment;
+  std::string written;             ///< its condition in C
+  std::vector<std::string> texts;  ///< of the condition, before, between and after the arguments
+  std::vector<std::string> names;  ///< of the arguments in C: `x`, `a[1][2]`
+  std::vector<int64_t> elements;   ///< of the arguments: the index in their array; -1: none
+};
+
 struct Program {
   std::vector<NamedConstant> constants;
   std::vector<Variable> variables;  ///< of all functions, and the globals
   std::vector<int> globals;         ///< in the order of their declarations
   std::vector<LoweredFunction> functions;
   std::vector<SourceRange> statements;  ///< the full expressions of C, by Instruction::statement
+  std::vector<Assertion> assertions;    ///< by Instruction::assertion
   /// Statements of all attempts to find out which calls should be jumps: the work of that.
   int64_t tried_statements = 0;
 };

@@ -9,6 +9,7 @@ void Lowerer::LowerWhile(const Statement& statement) {
   const int end = NewLabel("while", statement.keyword, "end");
   BeginFullExpression(statement.value->range);
   EmitLabel(begin, statement.value->range);
+  EmitAsserts(statement);
   BranchIf(*statement.value, false, end);
   frame_->targets.push_back({end, begin});
   LowerInner(*statement.body);
@@ -23,6 +24,7 @@ void Lowerer::LowerDo(const Statement& statement) {
   const int condition = NewLabel("do", statement.range, "while");
   const int end = NewLabel("do", statement.range, "end");
   EmitLabel(begin, statement.range);
+  EmitAsserts(statement);
   frame_->targets.push_back({end, condition});
   LowerInner(*statement.body);
   frame_->targets.pop_back();
@@ -43,6 +45,7 @@ void Lowerer::LowerFor(const Statement& statement) {
   if (statement.value != nullptr) head = statement.value->range;
   BeginFullExpression(head);
   EmitLabel(begin, head);
+  EmitAsserts(statement);
   if (statement.value != nullptr) BranchIf(*statement.value, false, end);
   frame_->targets.push_back({end, next});
   LowerInner(*statement.body);

@@ -2,8 +2,8 @@
 // construct: program.cc has the functions and the order of work, declarations.cc and
 // initialisers.cc variables, statements.cc, loops.cc and switches.cc statements, expressions.cc,
 // unsigned.cc, conversions.cc, conditions.cc, assignments.cc and places.cc expressions, calls.cc
-// own functions, shared_bodies.cc those whose statements stand once for several calls, commands.cc
-// GT commands, start.cc initial values of globals.
+// own functions, asserts.cc comments, shared_bodies.cc those whose statements stand once for
+// several calls, commands.cc GT commands, start.cc initial values of globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/asserts.h"
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
 #include "compiler/lowering/ir.h"
@@ -242,6 +243,12 @@ class Lowerer {
   // --- switches.cc ---
   void LowerSwitch(const Statement& statement);
 
+  // --- asserts.cc ---
+  void PlaceAsserts(const Tree& tree);
+  bool HasAssert(const Statement& statement) const;
+  static int64_t NamedElement(const Symbol& symbol, std::string_view* indices);
+  void EmitAsserts(const Statement& statement);
+
   // --- expressions.cc ---
   Value LowerValue(const Expression& expression);
   void LowerEffect(const Expression& expression);
@@ -375,6 +382,8 @@ class Lowerer {
   std::unordered_set<std::string> local_names_;   // of all functions
   std::unordered_map<const void*, int> statics_;  // variables of static locals by declarator
   std::vector<InitialValue> initial_values_;
+  // Those before each statement.
+  std::unordered_map<const Statement*, std::vector<AssertComment>> asserts_;
   // The globals of start.cc.
   struct Start {
     int ready = -1;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include "compiler/asserts.h"
 #include "compiler/lowering/costs.h"
 #include "compiler/lowering/lowerer.h"
 #include "compiler/lowering/passes/passes.h"
 #include "compiler/lowering/printer.h"
+#include "compiler/lowering/speller.h"
 #include "compiler/structured_source.h"
 
 namespace oncard::compiler {
@@ -25,10 +28,12 @@ SourceRange OriginOf(const SourceRange& range, const SourceFile& text,
 // The compiler's diagnostics of the lowered text, at the places of C. The same statement may stand
 // in the text several times.
 void Translate(const Compilation& compilation, const std::vector<SourceRange>& origins,
-               Reporter& reporter) {
+               bool has_asserts, Reporter& reporter) {
   const SourceFile& text = compilation.files[0];
   const auto origin = [&](const SourceRange& range) { return OriginOf(range, text, origins); };
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    // An assert keeps values that nothing else reads; without them the passes remove such values.
+    if (has_asserts && diagnostic.info->code == static_cast<int>(Code::kUnusedResult)) continue;
     const SourceRange place = origin(diagnostic.range);
     const bool known = std::any_of(reporter.diagnostics().begin(), reporter.diagnostics().end(),
                                    [&](const Diagnostic& other) {
@@ -69,15 +74,40 @@ void MoveLines(SourceRange header, const std::deque<SourceFile>& files,
   }
 }
 
-// The passes may remove what an assert names, and the statement that it stands before.
-void RefuseAsserts(const std::deque<SourceFile>& files, Reporter& reporter) {
+// Reports the asserts that no function of the card has, which could never fail.
+void CheckAsserts(const lowering::Program& program, const std::deque<SourceFile>& files,
+                  Reporter& reporter) {
+  std::set<std::pair<int, uint32_t>> kept;
+  for (const lowering::LoweredFunction& function : program.functions) {
+    for (const lowering::Instruction& instruction : function.code) {
+      if (instruction.kind != lowering::Instruction::Kind::kAssert) continue;
+      const SourceRange& comment =
+          program.assertions[static_cast<size_t>(instruction.assertion)].comment;
+      kept.emplace(comment.file, comment.begin);
+    }
+  }
   for (const AssertComment& comment : FindAsserts(files)) {
-    AddNote(reporter.Report(Code::kMisplacedAssert, comment.range,
-                            Message{"stands in structured C, where it is not checked",
-                                    "位于结构化 C 中，不会被检查"}),
-            MakeMessage("write it in the program that 'oncard lower' makes, or use '//@ always:' "
-                        "outside of functions",
-                        "请写在“oncard lower”生成的程序中，或在函数之外使用 '//@ always:'"));
+    if (kept.contains({comment.range.file, comment.range.begin})) continue;
+    reporter.Report(Code::kMisplacedAssert, comment.range,
+                    MakeMessage("stands before a statement that no thread can reach",
+                                "其后的语句没有线程能够到达"));
+  }
+}
+
+/// Gives the asserts of a function the words of C.
+void NameAsserts(const lowering::Program& program, const lowering::LoweredFunction& lowered,
+                 vm::Function* function) {
+  const lowering::Speller speller(program);
+  auto assert = function->asserts.begin();
+  for (const lowering::Instruction& instruction : lowered.code) {
+    if (instruction.kind != lowering::Instruction::Kind::kAssert) continue;
+    const lowering::Assertion& assertion =
+        program.assertions[static_cast<size_t>(instruction.assertion)];
+    assert->written = assertion.written;
+    for (size_t i = 0; i < assertion.names.size(); ++i) {
+      assert->names.emplace_back(speller.SpellName(instruction, i), assertion.names[i]);
+    }
+    ++assert;
   }
 }
 
@@ -88,7 +118,6 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   Reporter reporter;
   StructuredSource source(path, std::move(text), options, reader, reporter);
   Lowering result;
-  RefuseAsserts(source.files(), reporter);
   if (!reporter.HasErrors()) {
     lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
                                                   reporter, lowering_options.optimize)
@@ -101,21 +130,24 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
         if (lowering_options.optimize) {
           lowering::Optimize(program, function, options.double_format);
         }
+        lowering::GiveStatementsToAsserts(function);
         lowering::ShareTemporaries(taken, program, function);
         result.costs.push_back(lowering::CostOf(program, function));
       }
       result.global_slots = lowering::GlobalSlots(program);
       lowering::CheckLimits(program, result.costs, reporter);
+      CheckAsserts(program, source.files(), reporter);
     }
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed =
           lowering::Print(program, source.files(), lowering_options.annotate);
       Compilation compilation = CompileCardText(path, printed.text, options, reader);
-      Translate(compilation, printed.origins, reporter);
+      Translate(compilation, printed.origins, !program.assertions.empty(), reporter);
       if (!reporter.HasErrors()) {
         for (size_t i = 0; i < program.functions.size(); ++i) {
           MoveLines(program.functions[i].header, source.files(), printed.origins,
                     &compilation.object->functions[i]);
+          NameAsserts(program, program.functions[i], &compilation.object->functions[i]);
         }
         for (std::vector<SourceRange>& places : compilation.places) {
           for (SourceRange& place : places) {

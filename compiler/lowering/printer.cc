@@ -191,6 +191,13 @@ class Printer {
     int newest = -1;
     for (size_t i = 0; i < function.code.size(); ++i) {
       const Instruction& instruction = function.code[i];
+      if (instruction.kind == Instruction::Kind::kAssert) {
+        const std::string text = speller_.Spell(instruction, function);
+        Line("  " + text, instruction.range);
+        // A backslash at its end continues the comment with an empty line.
+        if (text.ends_with('\\')) Line("", Nowhere());
+        continue;
+      }
       const bool label = instruction.kind == Instruction::Kind::kLabel;
       if (!label || instruction.statement > newest) {
         PrintComment(instruction.statement);
@@ -199,7 +206,7 @@ class Printer {
       newest = std::max(newest, instruction.statement);
       Line((label ? "" : "  ") + speller_.Spell(instruction, function), instruction.range);
     }
-    if (!function.code.empty() && function.code.back().kind == Instruction::Kind::kLabel) {
+    if (!function.code.empty() && !function.code.back().IsStatement()) {
       Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
     }
     Line("}", function.end);

@@ -192,6 +192,7 @@ Program Lowerer::Lower(const Tree& tree) {
     if (info.mark == 0) recurses |= Recurses(info, path);
   }
   if (recurses) return std::move(program_);
+  PlaceAsserts(tree);
   for (FunctionInfo& info : functions_) {
     if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);
   }

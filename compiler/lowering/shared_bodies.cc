@@ -127,6 +127,7 @@ Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
   const size_t variables = program_.variables.size();
   const size_t statements = program_.statements.size();
   const size_t globals = program_.globals.size();
+  const size_t assertions = program_.assertions.size();
   LoweredFunction function = LowerFunction(info);
   Size size;
   size.stopped = stopped_;
@@ -139,6 +140,7 @@ Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
     size.statements = cost.statements;
     size.labels = std::max(cost.labels, vm::kLabelMax);
   }
+  program_.assertions.resize(assertions);
   // The first time, static locals become globals, which stay.
   if (program_.globals.size() == globals) {
     program_.variables.resize(variables);
@@ -211,7 +213,7 @@ void Lowerer::CompareBodies() {
   std::vector<std::pair<SharedBody*, size_t>> open;  // with their own statements
   for (const Instruction& instruction : out_->code) {
     if (instruction.kind != Instruction::Kind::kLabel) {
-      if (!open.empty()) ++open.back().second;
+      if (!open.empty() && instruction.IsStatement()) ++open.back().second;
       continue;
     }
     if (const auto begun = begins.find(instruction.label); begun != begins.end()) {

@@ -78,8 +78,23 @@ std::string Speller::Spell(const Instruction& instruction, const LoweredFunction
       }
       return fmt::format("{}({});", instruction.command->name, arguments);
     }
+    case Instruction::Kind::kAssert: {
+      const Assertion& assertion = program_.assertions[static_cast<size_t>(instruction.assertion)];
+      std::string text = "//@ assert: " + assertion.texts.front();
+      for (size_t i = 0; i < instruction.arguments.size(); ++i) {
+        text += SpellName(instruction, i) + assertion.texts[i + 1];
+      }
+      return text;
+    }
   }
   return {};
+}
+
+std::string Speller::SpellName(const Instruction& assert, size_t argument) const {
+  const int64_t element =
+      program_.assertions[static_cast<size_t>(assert.assertion)].elements[argument];
+  const std::string& name = VariableAt(assert.arguments[argument].variable).name;
+  return element < 0 ? name : fmt::format("{}[{}]", name, element);
 }
 
 std::string_view SpellType(const Variable& variable) {

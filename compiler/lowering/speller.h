@@ -19,6 +19,8 @@ class Speller {
 
   std::string Spell(const Operand& operand) const;
   std::string Spell(const Instruction& instruction, const LoweredFunction& function) const;
+  /// What an assert names: `x`, `a[3]`.
+  std::string SpellName(const Instruction& assert, size_t argument) const;
 
  private:
   const Variable& VariableAt(int number) const {

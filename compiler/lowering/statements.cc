@@ -47,7 +47,8 @@ void Lowerer::LowerLeave(const Statement& statement) {
 void Lowerer::LowerIf(const Statement& statement) {
   const Expression& condition = *statement.value;
   if (statement.else_body == nullptr) {
-    if (const std::optional<int> label = JumpTarget(*statement.body)) {
+    const std::optional<int> label = JumpTarget(*statement.body);
+    if (label && !HasAssert(*statement.body)) {
       BranchIf(condition, true, *label);
       return;
     }
@@ -98,6 +99,9 @@ void Lowerer::LowerReturn(const Statement& statement) {
 void Lowerer::LowerStatement(const Statement& statement) {
   using Kind = Statement::Kind;
   if (stopped_) return;
+  const bool loop =
+      statement.kind == Kind::kWhile || statement.kind == Kind::kDo || statement.kind == Kind::kFor;
+  if (!loop) EmitAsserts(statement);
   switch (statement.kind) {
     case Kind::kExpression:
       BeginFullExpression(statement.value->range);

@@ -55,5 +55,86 @@ TEST(AssertsTest, DoNotChangeTheProgram) {
   EXPECT_EQ(with, without);
 }
 
+// --- Structured C ---
+
+/// `x < 3 (i < kLimit; x: i)`: the conditions of a function, as written, and its names.
+std::vector<std::string> AssertsIn(const std::string& body) {
+  const vm::Object object =
+      Compiled("//@ structured\nint g, h, m[2][3];\nenum { kLow = -1 };\nint t0(int p) {\n" + body +
+               "  return p;\n}\n");
+  std::vector<std::string> texts;
+  if (object.functions.empty()) return texts;
+  for (const vm::Assert& assert : object.functions.front().asserts) {
+    std::string text = assert.condition + " (" + assert.written;
+    for (const auto& [name, written] : assert.names) text += "; " + name + ": " + written;
+    texts.push_back(text + ")");
+  }
+  return texts;
+}
+
+struct Named {
+  std::string_view name;
+  std::string body;
+  std::string expected;
+};
+
+class StructuredAssertTest : public testing::TestWithParam<Named> {};
+
+TEST_P(StructuredAssertTest, HasTheNamesOfTheLoweredProgram) {
+  EXPECT_THAT(AssertsIn(GetParam().body), ElementsAre(GetParam().expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, StructuredAssertTest,
+    testing::ValuesIn(std::vector<Named>{
+        {"global", "  //@ assert: g<0x1F\n  g = 1;\n", "g<0x1F (g<0x1F; g: g)"},
+        {"hidden", "  int g = p; { int g = 2;\n  //@ assert: g == 2\n  h = 1; }\n",
+         "g_3 == 2 (g == 2; g_3: g)"},
+        {"constant", "  //@ assert: p > kLow\n  g = 1;\n", "p > (-1) (p > kLow; p: p)"},
+        {"element", "  //@ assert: m[1][ 2 ] == 0\n  m[1][2] = 1;\n",
+         "m[5] == 0 (m[1][ 2 ] == 0; m[5]: m[1][ 2 ])"},
+        {"card", "  //@ assert: axis1.moving == 0\n  g = 1;\n",
+         "axis1.moving == 0 (axis1.moving == 0)"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// A function as text of the card, without its remarks. An assert is the reason of no warning.
+std::string LoweredText(const std::string& body) {
+  const Lowering lowering =
+      LowerText("p.c", "int g;\nvoid t0(int p) {\n" + body + "}\n", {}, {}, NoFiles());
+  EXPECT_TRUE(lowering.diagnostics.empty()) << lowering.diagnostics.front().message.en;
+  const std::string text = lowering.text.value_or("none");
+  std::string kept;
+  for (size_t begin = text.find("{\n") + 2; begin < text.size();) {
+    const size_t end = text.find('\n', begin);
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (line.find("  // ") == std::string::npos && line != "}" && !line.empty())
+      kept += line + "\n";
+  }
+  return kept;
+}
+
+TEST(StructuredAssertsTest, KeepWhatTheyName) {
+  EXPECT_EQ(LoweredText("  int kept = 7;\n  //@ assert: kept == 7\n  g = kept;\n"),
+            "  int kept;\n  kept = 7;\n  //@ assert: kept == 7\n  g = 7;\n");
+}
+
+TEST(StructuredAssertsTest, AreCheckedAtEachTestOfALoop) {
+  EXPECT_EQ(LoweredText("  //@ assert: p < 5\n  for (p = 0; p < 3; ++p) g = p;\n"),
+            "  int tmp1;\n  p = 0;\nlbl_for_4:\n  //@ assert: p < 5\n  tmp1 = p >= 3;\n"
+            "  if (tmp1) goto lbl_for_4_end;\n  g = p;\n  p = p + 1;\n  goto lbl_for_4;\n"
+            "lbl_for_4_end:\n  return;\n");
+}
+
+// Who does not enter the branch does not pass the assert.
+TEST(StructuredAssertsTest, HaveAStatementOfTheirOwnBeforeALabel) {
+  EXPECT_EQ(LoweredText("  if (p) {\n    //@ assert: g == 1\n    ;\n  }\n  g = 2;\n"),
+            "  int tmp1;\n  tmp1 = !p;\n  if (tmp1) goto lbl_if_3_end;\n  //@ assert: g == 1\n"
+            "  goto lbl_if_3_end;\nlbl_if_3_end:\n  g = 2;\n");
+  EXPECT_EQ(LoweredText("  while (p) {\n    //@ assert: g == 1\n    break;\n  }\n  g = 2;\n"),
+            "  int tmp1;\n  tmp1 = !p;\n  if (tmp1) goto lbl_while_3_end;\n"
+            "  //@ assert: g == 1\n  goto lbl_while_3_end;\nlbl_while_3_end:\n  g = 2;\n");
+}
+
 }  // namespace
 }  // namespace oncard::compiler

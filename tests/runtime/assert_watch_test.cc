@@ -72,6 +72,16 @@ TEST(AssertWatchTest, TakesALocalOfItsThread) {
               ElementsAre("assert: n == k: does not hold at p.c:4 in thread 3: n is 7, k is 8"));
 }
 
+// The sum is 5 when the assert is reached the last time; the loop variable has another name.
+TEST(AssertWatchTest, SpeaksOfStructuredCAsItsSourceDoes) {
+  EXPECT_THAT(AssertFailures("//@ structured\nint t[2][2];\nint add(int n) {\n"
+                             "  //@ assert: n < 2 && t[1][0] == 0\n  return n + 1;\n}\n"
+                             "int f() {\n  int i, sum = 0;\n"
+                             "  for (i = 0; i < 3; ++i) sum += add(i);\n  return sum;\n}\n"),
+              ElementsAre("assert: n < 2 && t[1][0] == 0: does not hold at p.c:5 in thread 0: "
+                          "n is 2, t[1][0] is 0"));
+}
+
 TEST(AssertWatchTest, SeesTheCardAndOtherNames) {
   EXPECT_THAT(AssertFailures("int f() {\n  //@ assert: axis1.moving == 1 || clock > 100\n"
                              "  return 0;\n}\n"),

@@ -82,7 +82,9 @@ class Copies {
     changed_ = true;
   }
 
+  // An assert names the variables of its source, so their values must be kept.
   void Replace(Instruction& instruction) {
+    if (instruction.kind == Instruction::Kind::kAssert) return;
     ForEachOperand(instruction, [this](Operand& operand, bool written) {
       ReplaceIndex(operand);
       if (written || !operand.IsVariable()) return;

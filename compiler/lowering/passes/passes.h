@@ -44,6 +44,10 @@ std::unordered_set<std::string_view> SharedNames(const Program& program);
 void ShareTemporaries(const std::unordered_set<std::string_view>& taken, Program& program,
                       LoweredFunction& function);
 
+/// Gives a jump to the next statement to an assert that has no statement before the next label or
+/// the end of the function: who comes from elsewhere does not pass the assert.
+void GiveStatementsToAsserts(LoweredFunction& function);
+
 /// All optimising passes until nothing changes.
 void Optimize(const Program& program, LoweredFunction& function, vm::DoubleFormat format);
 

@@ -41,6 +41,7 @@ std::optional<Scope> ScopeNamed(std::string_view name) {
 }
 
 std::string Requirement::Expression() const {
+  if (!written.empty()) return written;
   return then.empty() ? text : fmt::format("{} {} {}", text, kArrow, then);
 }
 

@@ -50,7 +50,8 @@ struct Requirement {
   TextPlace then_place = {};
   int64_t within_us = 0;  ///< kWithin
   TextPlace time_place = {};
-  std::string at = {};  ///< kAssert: the statement, `pick.c:31`
+  std::string at = {};       ///< kAssert: the statement, `pick.c:31`
+  std::string written = {};  ///< kAssert of structured C: its text there; empty: `text`
 
   bool IsResponse() const { return scope == Scope::kLeads || scope == Scope::kWithin; }
   /// `x < 3`, `p -> q`.

@@ -10,14 +10,28 @@
 namespace oncard::runtime {
 namespace {
 
+/// A name of an assert's condition as its source has it.
+std::string WrittenName(const vm::Assert& assert, const std::string& name) {
+  for (const auto& [lowered, written] : assert.names) {
+    const std::string_view rest =
+        std::string_view(name).substr(std::min(lowered.size(), name.size()));
+    if (name.starts_with(lowered) && (rest.empty() || rest[0] == '.')) {
+      return fmt::format("{}{}", written, rest);
+    }
+  }
+  return name;
+}
+
 /// The values of what a condition names, by the names that it uses.
-Message ValuesIn(const CardCondition& condition, const Controller& controller) {
+Message ValuesIn(const vm::Assert& assert, const CardCondition& condition,
+                 const Controller& controller) {
   Message values;
   const auto& names = condition.condition().names();
   for (size_t i = 0; i < names.size(); ++i) {
     const std::string value = FormatQuantity(condition.quantities()[i], controller);
-    values.en += fmt::format("{}{} is {}", i == 0 ? "" : ", ", names[i].Text(), value);
-    values.zh += fmt::format("{}{} 为 {}", i == 0 ? "" : "，", names[i].Text(), value);
+    const std::string name = WrittenName(assert, names[i].Text());
+    values.en += fmt::format("{}{} is {}", i == 0 ? "" : ", ", name, value);
+    values.zh += fmt::format("{}{} 为 {}", i == 0 ? "" : "，", name, value);
   }
   return values;
 }
@@ -31,6 +45,7 @@ std::vector<Requirement> AssertsOf(const vm::Object& object, const std::string& 
       Requirement& requirement = asserts.emplace_back();
       requirement.scope = Scope::kAssert;
       requirement.text = each.condition;
+      requirement.written = each.written;
       requirement.at = SourcePlace(program_path, function, each.position);
     }
   }
@@ -122,7 +137,7 @@ AssertWatch::Ahead AssertWatch::Look(const Controller& controller, int thread) {
     ahead.end = number + 1;
     const std::optional<CardCondition>& condition = BoundOf(controller, thread).conditions[i];
     if (ahead.failed || !condition || condition->Holds(controller)) continue;
-    ahead.failed = {number, thread, ValuesIn(*condition, controller)};
+    ahead.failed = {number, thread, ValuesIn(own[i], *condition, controller)};
   }
   return ahead;
 }
