@@ -460,6 +460,7 @@ void CardModel::Settle(State* state) {
   while (!state->fault && !state->ended) {
     if (machine.Quiet() && !HostActs()) {
       state->finished = true;
+      if (others_end_runs_) return;
       return End(state);
     }
     if (state->left > 0 && machine.RunnableThreads() != 0) break;
@@ -480,10 +481,7 @@ void CardModel::Settle(State* state) {
         End(state);
       }
     } else {
-      state->left = BeginCycle();
-      state->served = 0;
-      controller_->machine().Execute(0);
-      if (has_invariants_) JudgeState(state);
+      NextCycle(state);
     }
   }
   if (state->fault) state->ended = true;
@@ -492,6 +490,13 @@ void CardModel::Settle(State* state) {
   for (int i = 0; i < thread_count(); ++i) {
     if ((candidates >> setup(i).thread & 1) != 0) state->choices |= 1u << i;
   }
+}
+
+void CardModel::NextCycle(State* state) {
+  state->left = BeginCycle();
+  state->served = 0;
+  controller_->machine().Execute(0);
+  if (has_invariants_) JudgeState(state);
 }
 
 void CardModel::ActAsHost(State* state) {
@@ -551,6 +556,62 @@ int64_t CardModel::BeginCycle() {
 uint64_t CardModel::ConditionsOfReactions() const {
   const runtime::Reactions* reactions = controller_->reactions();
   return reactions == nullptr ? 0 : reactions->state().held;
+}
+
+// --- Islands -------------------------------------------------------------------------------------
+
+void CardModel::RunBeside(const CardModel& whole) {
+  others_end_runs_ = bounds_.kind_of_last() == runtime::RunOver::kLimit;
+  last_instant_ = whole.last_instant_;
+  watches_card_ = whole.watches_card_;
+}
+
+bool CardModel::MayEndCycle(const State& state) const {
+  for (int i = 0; i < thread_count(); ++i) {
+    const bool can_run = (state.choices >> i & 1) != 0;
+    if (can_run && (state.served >> setup(i).thread & 1) == 0) return false;
+  }
+  return true;
+}
+
+CardModel::State CardModel::EndCycle(const State& from) {
+  Load(from);
+  State state;
+  state.reached = from.reached;
+  state.owed = from.owed;
+  state.races = from.races;
+  state.finished = from.finished;
+  if (state.finished) {
+    JudgeInstant(&state);
+    if (!state.fault) NextCycle(&state);
+    state.ended = static_cast<bool>(state.fault);
+  } else {
+    Settle(&state);
+  }
+  Save(&state);
+  return state;
+}
+
+Fault CardModel::EndRun(const State& from) {
+  Load(from);
+  State state = from;
+  End(&state);
+  return state.fault;
+}
+
+void CardModel::Include(const CardModel& island, const std::vector<size_t>& origins) {
+  for (size_t i = 0; i < origins.size(); ++i) {
+    const BoundRequirement& from = island.requirements_[i];
+    const BoundRequirement& to = requirements_[origins[i]];
+    to.judged = to.judged || from.judged;
+    to.mattered = to.mattered || from.mattered;
+  }
+  asserts_.Include(island.asserts_);
+  refused_->Include(*island.refused_);
+  supervisor_->Include(*island.supervisor_);
+  horizon_.axes |= island.horizon_.axes;
+  horizon_.threads |= island.horizon_.threads;
+  latest_end_ = std::max(latest_end_, island.latest_end_);
 }
 
 // --- States --------------------------------------------------------------------------------------

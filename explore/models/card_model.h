@@ -78,6 +78,7 @@ class CardModel {
                                            std::shared_ptr<const runtime::HostCalls> calls,
                                            runtime::ScenarioErrors errors = {});
 
+  const runtime::Scenario& scenario() const { return scenario_; }
   /// The bound threads, in the order of their numbers on the card.
   int thread_count() const { return static_cast<int>(setups_.size()); }
   const ThreadSetup& setup(int thread) const { return setups_[static_cast<size_t>(thread)]; }
@@ -137,6 +138,25 @@ class CardModel {
   /// thing and one of them writes it.
   bool NextDependOnEachOther(int a, int b) const;
 
+  // Of an island (islands.h), whose threads run beside others that are not in the model. What these
+  // do with their statements and when they end is a choice like that of the next thread.
+
+  /// The model is an island of this program. A state in which its threads have ended is `finished`
+  /// and not `ended` if the end of the run depends on others.
+  void RunBeside(const CardModel& whole);
+  /// True if the others may take the statements that are left of the cycle: each thread of the
+  /// island that can run has been served.
+  bool MayEndCycle(const State& state) const;
+  /// The state after that, or after a cycle in which others still run.
+  State EndCycle(const State& state);
+  /// The fault of the run, if it has any, when the others end in a state that is `finished`.
+  Fault EndRun(const State& state);
+  /// The cycle up to which every run goes on: that of the last instant of an expectation.
+  int64_t last_instant() const { return last_instant_; }
+  /// Takes over what the runs of an island have put to the test, and what was noted in them. Its
+  /// requirement n is, or is a part of, this model's requirement `origins[n]`.
+  void Include(const CardModel& island, const std::vector<size_t>& origins);
+
   /// The cycle before which the host has made all its calls, in the current state of such a run.
   int64_t host_acted_until() const { return host_acted_until_; }
 
@@ -182,6 +202,8 @@ class CardModel {
   void JudgeThreads(State* state) const;
   /// Begins cycles until a thread can run or the run has ended.
   void Settle(State* state);
+  /// Begins a cycle, up to its first statement.
+  void NextCycle(State* state);
   /// Ends the run and checks its final requirements.
   void End(State* state);
   /// Notes what still goes on at the end of a run.
@@ -231,6 +253,8 @@ class CardModel {
   bool watches_card_ = false;    ///< a requirement on every state names more than the program
   Horizon horizon_;
   int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
+  bool others_end_runs_ =
+      false;  ///< of an island: threads that are not in the model may run longer
   runtime::RunBounds bounds_;
   int64_t last_instant_ = 0;  ///< cycle of the last expectation with an instant, or `until_ms`
 };

@@ -541,6 +541,22 @@ void Supervisor::JudgeLeftOut(size_t i) {
 
 const std::vector<CardFinding>& Supervisor::findings() const { return found_->findings; }
 
+void Supervisor::Include(const Supervisor& other) {
+  if (other.findings().empty()) return;
+  Found& found = PresentFound();
+  for (const auto& [key, number] : other.found_->known) {
+    const CardFinding& finding = other.findings()[number];
+    const auto [entry, added] = found.known.try_emplace(key, found.findings.size());
+    if (added) {
+      found.findings.push_back(finding);
+      continue;
+    }
+    CardFinding& known = found.findings[entry->second];
+    known.first_us = std::min(known.first_us, finding.first_us);
+    known.count += finding.count;
+  }
+}
+
 Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site, size_t axis) const {
   Key key = KeyOf(warning, site);
   std::get<std::string>(key) += fmt::format(" {}", axis);

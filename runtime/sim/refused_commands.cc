@@ -1,5 +1,7 @@
 #include "runtime/sim/refused_commands.h"
 
+#include <algorithm>
+
 #include "runtime/sim/call_text.h"
 
 namespace oncard::runtime {
@@ -22,6 +24,20 @@ void RefusedCommands::Add(const gtcalls::Call& call, int16_t code, int64_t now_u
                    .code = code,
                    .first_us = now_us,
                    .count = 1});
+}
+
+void RefusedCommands::Include(const RefusedCommands& other) {
+  for (const auto& [place, number] : other.known_) {
+    const RefusedCommand& refused = other.list_[number];
+    const auto [entry, added] = known_.try_emplace(place, list_.size());
+    if (added) {
+      list_.push_back(refused);
+      continue;
+    }
+    RefusedCommand& known = list_[entry->second];
+    known.first_us = std::min(known.first_us, refused.first_us);
+    known.count += refused.count;
+  }
 }
 
 Message DescribeRefusedPlace(const RefusedCommand& refused, const std::string& program_path) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kOfTraces[] = {"auto", "dpor"};
 constexpr std::string_view kOfStates[] = {"auto", "stateful", "bounded"};
+constexpr std::string_view kOfAuto[] = {"auto"};
 constexpr std::string_view kOfGraphs[] = {"auto", "stateful"};
 constexpr std::string_view kOfRandom[] = {"random", "pct", "pos"};
 constexpr std::string_view kOfPct[] = {"pct"};
@@ -26,6 +27,7 @@ constexpr SearchSetting kSettings[] = {
     {"", "--preemptions", kOfBounded},
     {"", "--merge-private", kOfGraphs},
     {"", "--no-merge-private", kOfGraphs},
+    {"", "--no-islands", kOfAuto},
 };
 
 }  // namespace

@@ -146,6 +146,10 @@ void AssertWatch::NoteReached(const Ahead& ahead) {
   for (size_t i = ahead.begin; i < ahead.end; ++i) reached_[i] = true;
 }
 
+void AssertWatch::Include(const AssertWatch& other) {
+  for (size_t i = 0; i < reached_.size(); ++i) reached_[i] = reached_[i] || other.reached_[i];
+}
+
 std::optional<FailedAssert> AssertWatch::BeforeStatement(const Controller& controller, int thread) {
   if (empty()) return std::nullopt;
   Ahead ahead = Look(controller, thread);

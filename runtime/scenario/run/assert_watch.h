@@ -59,6 +59,8 @@ class AssertWatch {
   /// Takes the present state as the one of the last call, without looking back.
   void Remember(const Controller& controller);
 
+  /// Takes over which statements threads have executed in other runs of the program.
+  void Include(const AssertWatch& other);
   /// The asserts whose statements no thread has executed.
   std::vector<Message> DescribeUntested() const;
 
