@@ -81,6 +81,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   options.preemption_limit = arguments.preemptions.value_or(options.preemption_limit);
   if (arguments.merge_private) options.merge_private = true;
   if (arguments.no_merge_private) options.merge_private = false;
+  options.islands = !arguments.no_islands;
   options.all = arguments.all;
   return options;
 }
@@ -101,7 +102,8 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
       {"--depth", arguments.depth.has_value()},
       {"--preemptions", arguments.preemptions.has_value()},
       {"--merge-private", arguments.merge_private},
-      {"--no-merge-private", arguments.no_merge_private}};
+      {"--no-merge-private", arguments.no_merge_private},
+      {"--no-islands", arguments.no_islands}};
   const std::string_view name = explore::EngineName(engine);
   for (const runtime::SearchSetting& setting : runtime::SearchSettings()) {
     const bool is_given =

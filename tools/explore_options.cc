@@ -52,6 +52,11 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                    invocation.Say({"count every state between two statements: more states",
                                    "统计任意两条语句之间的每个状态：状态更多"}));
   command.add_flag(
+      "--no-islands", arguments.no_islands,
+      invocation.Say({"with a card: search the states of all threads together, even if "
+                      "some share nothing with the others",
+                      "带控制卡时：即使有线程互不相关，也一起搜索所有线程的状态"}));
+  command.add_flag(
       "--full", arguments.full,
       invocation.Say({"show every statement of a failing run and every pass of its loops",
                       "列出出错运行的每条语句，循环逐次列出"}));

@@ -27,6 +27,7 @@ struct ExploreArguments {
   bool structured = false;
   bool merge_private = false;
   bool no_merge_private = false;
+  bool no_islands = false;
   bool races = false;
   bool benign = false;
   std::string search;  ///< the file in which the search is kept

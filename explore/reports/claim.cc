@@ -1,6 +1,6 @@
 #include "explore/reports/claim.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -260,6 +260,14 @@ ClaimEntry Bounds(const Findings& findings) {
   if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
   if (AsksForResponses(findings.subject) && !BuiltInOf(findings).livelock) {
     add({"leads: only runs that end", "leads：仅限会结束的运行"});
+  }
+  if (const auto& islands = exploration.islands) {
+    std::string threads;
+    for (const std::vector<int>& island : islands->threads) {
+      threads += fmt::format("{}{{{}}}", threads.empty() ? "" : ", ", fmt::join(island, ", "));
+    }
+    add(MakeMessage("every schedule, by islands: threads {0}, each with any timing of the others",
+                    "所有调度，按互不相关的线程组证明：线程 {0}，其余线程的时序任意", threads));
   }
   if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
     add({"none: every schedule was searched", "无：已搜索所有调度"});

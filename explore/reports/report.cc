@@ -34,6 +34,11 @@ Message CountsOf(const StateCounts& states) {
                      states.merged ? "merged " : "", states.merged ? "合并后的" : "");
 }
 
+Message CountsOf(const IslandCounts& islands) {
+  return MakeMessage("islands: {0} states, {1} transitions", "islands：{0} 个状态，{1} 次转移",
+                     islands.states, islands.transitions);
+}
+
 Message CountsOf(const BoundedCounts& bounded) {
   return MakeMessage(
       "bounded: {0} states, {1} different ends, schedules with at most {2} preemptions{3}",
@@ -57,6 +62,7 @@ std::string CountsText(const Findings& findings, Language language) {
   if (exploration.bounded) add(CountsOf(*exploration.bounded));
   if (exploration.samples) add(CountsOf(*exploration.samples, exploration.engine));
   if (exploration.states) add(CountsOf(*exploration.states));
+  if (exploration.islands) add(CountsOf(*exploration.islands));
   for (const FoundRace& found : exploration.races) {
     const Message race = DescribeRace(findings.subject, found.race);
     const Message benign = {" (benign)", "（无害）"};
@@ -163,6 +169,11 @@ std::string JsonReport(const Findings& findings) {
         json[fmt::format("finals_pb{}", bound)] = states->finals_within[bound];
       }
     }
+  }
+  if (const auto& islands = exploration.islands) {
+    json["islands"] = islands->threads;
+    json["island_states"] = islands->states;
+    json["island_transitions"] = islands->transitions;
   }
   for (const FoundRace& found : exploration.races) {
     json["races"].push_back(RaceJson(findings.subject, found.race));

@@ -46,6 +46,12 @@ void Add(const StateCounts& next, StateCounts* all) {
   all->complete = all->complete && next.complete;
 }
 
+/// The islands are those of the first case that has some.
+void Add(const IslandCounts& next, IslandCounts* all) {
+  all->states += next.states;
+  all->transitions += next.transitions;
+}
+
 void Add(const BoundedCounts& next, BoundedCounts* all) {
   all->preemptions = std::min(all->preemptions, next.preemptions);
   all->states += next.states;
@@ -89,6 +95,7 @@ int64_t ExecutionsUsed(const Exploration& exploration) {
 int64_t StatesUsed(const Exploration& exploration) {
   int64_t states = 0;
   if (exploration.states) states += exploration.states->states;
+  if (exploration.islands) states += exploration.islands->states;
   if (exploration.bounded) states += exploration.bounded->states;
   return states;
 }
@@ -96,6 +103,7 @@ int64_t StatesUsed(const Exploration& exploration) {
 void AddCase(Exploration next, Exploration* all) {
   AddSome(next.traces, &all->traces);
   AddSome(next.states, &all->states);
+  AddSome(next.islands, &all->islands);
   AddSome(next.bounded, &all->bounded);
   AddSome(next.samples, &all->samples);
   AddRaces(next.races, &all->races);

@@ -433,6 +433,19 @@ void TryAtRandom(CardModel* model, const ExploreOptions& options, Exploration* e
   exploration->why = {exploration->why.en + more.en, exploration->why.zh + more.zh};
 }
 
+/// Below so many states `auto` reports those of the card even if its islands are a proof: the
+/// counts of small programs are exact, and so are their ends.
+constexpr uint32_t kStatesBesideIslands = 5000;
+
+std::optional<IslandProof> SearchIslands(const CardModel& model, const ExploreOptions& options,
+                                         const StateLimits& limits) {
+  if (options.engine != EngineKind::kAuto || !options.islands || options.all) return std::nullopt;
+  // What is asked of nothing shows all results, which are no sum of those of the islands.
+  if (model.asks_nothing()) return std::nullopt;
+  auto islands = Islands::Of(model);
+  return islands ? ProveByIslands(model, *std::move(islands), limits) : std::nullopt;
+}
+
 Reached ReachedAt(CardModel* model, const CardModel::State& state) {
   model->Load(state);
   const vm::Machine& machine = model->controller().machine();
@@ -471,10 +484,20 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   }
   StateLimits limits = StatesOf(options, StopOf(options));
   limits.states_after_bad = AftermathOf(options).card_states;
-  if (look.found()) limits.states = std::min(limits.states, limits.states_after_bad);
+  std::optional<IslandProof> proof;
+  if (look.found()) {
+    limits.states = std::min(limits.states, limits.states_after_bad);
+  } else {
+    proof = SearchIslands(*model, options, limits);
+  }
+  if (proof) limits.states = std::min(limits.states, kStatesBesideIslands);
   const CardGraph found = BuildCardGraph(model, limits);
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
+  if (proof && !found.graph.complete) {
+    proof->IncludeIn(model);
+    exploration.islands = std::move(proof->counts);
+  }
   exploration.states = StateCounts{.states = found.graph.size(),
                                    .transitions = found.graph.transitions,
                                    .bad_states = found.bad_states,
@@ -499,7 +522,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   }
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
-  } else if (!found.graph.complete) {
+  } else if (!found.graph.complete && !exploration.islands) {
     exploration.why =
         WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
                                            "已达到 {0} 个状态的上限", options.state_limit));

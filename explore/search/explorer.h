@@ -20,6 +20,7 @@
 #include "base/result.h"
 #include "explore/engines/bounded_search.h"
 #include "explore/engines/failure.h"
+#include "explore/engines/island_search.h"
 #include "explore/engines/progress.h"
 #include "explore/engines/sampler.h"
 #include "explore/engines/state_search.h"
@@ -69,6 +70,9 @@ struct ExploreOptions {
   /// statements are combined where none can, as long as no failure is found; a failure is then
   /// sought again in single statements, so that the simplest one is shown.
   std::optional<bool> merge_private = {};
+  /// kAuto, with a card: threads that share nothing are searched by themselves
+  /// (explore/models/islands.h).
+  bool islands = true;
   /// Continues the search to its end after the first failure, so that all are counted. Otherwise it
   /// continues for a limited time, which is enough for complete counts of a small program.
   bool all = false;
@@ -107,6 +111,7 @@ struct Exploration {
   std::optional<TraceCounts> traces;
   TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete
   std::optional<StateCounts> states;
+  std::optional<IslandCounts> islands;  ///< kAuto, with a card: they have been the proof
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
   std::vector<FoundRace>

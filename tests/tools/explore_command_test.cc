@@ -182,7 +182,8 @@ INSTANTIATE_TEST_SUITE_P(
                     UnusedSetting{"stateful", "--seed=5"}, UnusedSetting{"random", "--depth=5"},
                     UnusedSetting{"auto", "--depth=5"}, UnusedSetting{"dpor", "--preemptions=5"},
                     UnusedSetting{"dpor", "--merge-private"},
-                    UnusedSetting{"bounded", "--no-merge-private"}));
+                    UnusedSetting{"bounded", "--no-merge-private"},
+                    UnusedSetting{"stateful", "--no-islands"}));
 
 TEST(Explore, StatementsAreMergedOrNot) {
   const ScratchFolder scratch;

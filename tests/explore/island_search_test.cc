@@ -1,0 +1,275 @@
+// Proofs by islands beside the search of all states.
+#include "explore/engines/island_search.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "explore/engines/card_graph.h"
+#include "explore/search/explorer.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Threads that each move an axis of their own to a position and wait there for the end of the
+/// motion.
+std::string Moves(int axes) {
+  std::string source;
+  for (int i = 0; i < axes; ++i) {
+    source += fmt::format(
+        "int done{0};\n"
+        "int t{0}() {{\n  TTrapPrm trap;\n  int status;\n  int time;\n  GT_AxisOn({1});\n  "
+        "GT_PrfTrap({1});\n"
+        "  GT_GetTrapPrm({1}, &trap);\n  trap.acc = 1;\n  trap.dec = 1;\n"
+        "  GT_SetTrapPrm({1}, &trap);\n  GT_SetVel({1}, 10);\n  GT_SetPos({1}, 100);\n"
+        "  GT_Update({2});\nL:\n  GT_GetSts({1}, &status, 1, &time);\n  status = status & 1024;\n"
+        "  if (status) goto L;\n  done{0} = 1;\n  return 0;\n}}\n",
+        i, i + 1, 1 << i);
+  }
+  return source;
+}
+
+std::optional<IslandProof> ProofOf(CardModel* model, uint32_t states = 1'000'000) {
+  auto islands = Islands::Of(*model);
+  if (!islands) return std::nullopt;
+  auto proof = ProveByIslands(*model, *std::move(islands), {.states = states});
+  if (proof) proof->IncludeIn(model);
+  return proof;
+}
+
+TEST(IslandSearch, TheStatesOfIslandsAreASum) {
+  CardModel two = CardOf(Moves(2), "final = [\"done0 == 1 && done1 == 1\"]\n");
+  CardModel four = CardOf(Moves(4), "final = [\"done0 == 1 && done3 == 1\"]\n");
+  const auto proof_of_two = ProofOf(&two);
+  const auto proof_of_four = ProofOf(&four);
+  ASSERT_TRUE(proof_of_two && proof_of_four);
+  EXPECT_THAT(proof_of_four->counts.threads,
+              ElementsAre(ElementsAre(0), ElementsAre(1), ElementsAre(2), ElementsAre(3)));
+  EXPECT_EQ(proof_of_four->counts.states, 2 * proof_of_two->counts.states);
+}
+
+TEST(IslandSearch, ALimitIsNoProof) {
+  CardModel model = CardOf(Moves(2), "final = [\"done0 == 1\"]\n");
+  EXPECT_FALSE(ProofOf(&model, 100));
+}
+
+// The axis still moves when its thread ends. The other thread decides how long the run lasts.
+TEST(IslandSearch, WhatLastsIsCheckedUntilTheOthersEnd) {
+  constexpr const char* kSource =
+      "int g;\n"
+      "int t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); return 0; }\n"
+      "int t1() { GT_Delay(9); g = 1; return 0; }\n";
+  const auto proves = [&](const std::string& keys) {
+    CardModel model = CardOf(kSource, keys);
+    return ProofOf(&model).has_value();
+  };
+  EXPECT_TRUE(proves("never = [\"axis1.prfPos > 1000\"]\n"));
+  EXPECT_FALSE(proves("never = [\"axis1.prfPos > 30\"]\n"));
+  EXPECT_FALSE(proves("final = [\"axis1.prfPos < 30\"]\n"));
+  EXPECT_FALSE(proves("final = [\"clock < 9\"]\n"));
+  EXPECT_TRUE(proves("final = [\"clock < 11\"]\n"));
+  EXPECT_FALSE(
+      proves("within = [{ after = \"axis1.prfPos > 0\", then = \"thread0.run == 5\", ms = 3 }]\n"));
+  // An expectation of the other thread makes the run last.
+  EXPECT_FALSE(proves("never = [\"axis1.prfPos > 1000\"]\nexpect = [\"g == 1 @ 200ms\"]\n"));
+}
+
+TEST(IslandSearch, WhatGoesOnAtTheEndIsNoProof) {
+  const std::string source = Moves(2);
+  const Findings findings = FindingsOf(
+      source, "until_ms = 5\nnever = [\"axis1.prfPos > 200 || axis2.prfPos > 200\"]\n", {});
+  EXPECT_EQ(findings.exploration.verdict, Verdict::kPassed);
+  ASSERT_TRUE(findings.exploration.islands);
+  EXPECT_THAT(findings.exploration.why.en, HasSubstr("threads 0, 1 still run"));
+}
+
+TEST(IslandSearch, AutoProvesByIslandsWhatHasManyStates) {
+  const std::string keys = "final = [\"done0 == 1 && done2 == 1\"]\n";
+  const Findings findings = FindingsOf(Moves(3), keys, {});
+  EXPECT_EQ(findings.exploration.verdict, Verdict::kProved);
+  ASSERT_TRUE(findings.exploration.islands);
+  const std::string text = TextReport(findings, Language::kEnglish, {});
+  EXPECT_THAT(text, HasSubstr("by islands: threads {0}, {1}, {2}, each with any timing of the "
+                              "others\n"));
+  EXPECT_THAT(text, HasSubstr("\nislands: "));
+  EXPECT_TRUE(findings.untested.empty());
+  const Findings whole = FindingsOf(Moves(3), keys, {.state_limit = 20'000, .islands = false});
+  EXPECT_EQ(whole.exploration.verdict, Verdict::kIncomplete);
+}
+
+TEST(IslandSearch, SmallProgramsAreSearchedAsAWhole) {
+  const Findings findings = FindingsOf(
+      "int a;\nint b;\nint t0() { GT_Delay(1); a = 1; return 0; }\n"
+      "int t1() { b = 1; return 0; }\n",
+      "final = [\"a == 1\"]\n", {});
+  EXPECT_EQ(findings.exploration.verdict, Verdict::kProved);
+  EXPECT_FALSE(findings.exploration.islands);
+  EXPECT_TRUE(findings.exploration.states->complete);
+}
+
+// --- Beside the search of all states -------------------------------------------------------------
+
+/// Two or three threads, most of which use things of their own only.
+class RandomIslands {
+ public:
+  explicit RandomIslands(uint64_t seed) : random_(seed), threads_(2 + Draw(2)) {
+    source_ = "int g[4];\n";
+    for (int thread = 0; thread < threads_; ++thread) AddThread(thread);
+    AddKeys();
+  }
+
+  const std::string& source() const { return source_; }
+  const std::string& keys() const { return keys_; }
+
+ private:
+  int Draw(int count) { return static_cast<int>(random_() % static_cast<uint64_t>(count)); }
+  /// Seldom that of another thread.
+  int ThingOf(int thread) { return Draw(14) == 0 ? Draw(threads_) : thread; }
+
+  void AddThread(int thread) {
+    source_ += fmt::format("int t{}() {{\n  int n;\n  int time;\n  double p;\n", thread);
+    const int count = 2 + Draw(4);
+    for (int i = 0; i < count; ++i) AddStatement(thread, i);
+    source_ += fmt::format("  return {};\n}}\n", Draw(2));
+  }
+
+  void AddStatement(int thread, int number) {
+    const int own = ThingOf(thread);
+    const int bit = 1 << own;
+    switch (Draw(9)) {
+      case 0:
+        source_ += fmt::format("  g[{}] = {};\n", own, Draw(3));
+        break;
+      case 1:
+        source_ += fmt::format("  n = g[{0}];\n  g[{0}] = n + 1;\n", own);
+        break;
+      case 2:
+        source_ += fmt::format("  GT_SetDoBit(12, {}, {});\n", own + 1, Draw(2));
+        break;
+      case 3:
+        source_ += fmt::format("  GT_Delay({});\n", 1 + Draw(2));
+        break;
+      case 4:
+      case 5:
+        source_ += fmt::format("  GT_PrfJog({0});\n  GT_SetVel({0}, {1});\n  GT_Update({2});\n",
+                               own + 1, 1 + Draw(20), bit);
+        break;
+      case 6:
+        source_ += fmt::format("  GT_Stop({}, {});\n", bit, Draw(2) * bit);
+        break;
+      case 7:
+        source_ += fmt::format(
+            "L{0}:\n  GT_GetPrfPos({1}, &p, 1, &time);\n  n = p > {2};\n  if (n) goto E{0};\n  "
+            "GT_GetSts({1}, &n, 1, &time);\n"
+            "  n = n & 1024;\n  if (n) goto L{0};\nE{0}:\n",
+            number, own + 1, Draw(3));
+        break;
+      default:
+        source_ += fmt::format("  GT_GetDi(4, &n);\n  n = n & 1;\n  g[{}] = n;\n", own);
+        break;
+    }
+  }
+
+  std::string Condition() {
+    const int of = Draw(threads_);
+    switch (Draw(9)) {
+      case 0:
+        return fmt::format("g[{}] < {}", of, 1 + Draw(4));
+      case 1:
+        return fmt::format("axis{}.prfPos < {}", of + 1, 1 + Draw(8));
+      case 2:
+        return fmt::format("axis{}.moving == 0", of + 1);
+      case 3:
+        return fmt::format("gpo[{}] == {}", of + 1, Draw(2));
+      case 4:
+        return fmt::format("clock < {}", 2 + Draw(4));
+      case 5:
+        return fmt::format("ret{} == {}", of, Draw(2));
+      case 6:
+        return fmt::format("page{}.n < {}", of, 1 + Draw(3));
+      case 7:
+        return fmt::format("(g[{}] == {} || clock < {})", of, Draw(3), 1 + Draw(3));
+      default:
+        return fmt::format("(axis{}.prfVel < {} || g[{}] > 0)", of + 1, 1 + Draw(9),
+                           Draw(10) == 0 ? Draw(threads_) : of);
+    }
+  }
+
+  void AddKeys() {
+    keys_ = fmt::format("rate = {}\n", 12 + 4 * Draw(3));
+    keys_ += Draw(3) == 0 ? fmt::format("until_ms = {}\n", 3 + Draw(2)) : "limit_ms = 8\n";
+    if (Draw(4) == 0) keys_ += "races = \"none\"\n";
+    const int first = Draw(6);
+    for (int kind = first; kind < first + 2; ++kind) {
+      switch (kind % 6) {
+        case 0:
+          keys_ += fmt::format("final = [\"{} && {}\"]\n", Condition(), Condition());
+          break;
+        case 1:
+          keys_ += fmt::format("always = [\"{}\"]\n", Condition());
+          break;
+        case 2:
+          keys_ += fmt::format("never = [\"!{}\"]\n", "(" + Condition() + ")");
+          break;
+        case 3:
+          keys_ += fmt::format("eventually = [\"{}\"]\n", Condition());
+          break;
+        case 4:
+          keys_ +=
+              fmt::format("within = [{{ after = \"gpo[{0}] == 0\", then = \"{1}\", ms = {2} }}]\n",
+                          1 + Draw(threads_), Condition(), Draw(3));
+          break;
+        default:
+          keys_ += fmt::format("expect = [\"{} && {} @ {}ms\"]\n", Condition(), Condition(),
+                               1 + Draw(2));
+          break;
+      }
+    }
+    if (Draw(2) == 0) {
+      keys_ += "[[world.input]]\nat_ms = 0.5\ntype = \"gpi\"\nindex = 1\nvalue = 1\n";
+    }
+  }
+
+  std::mt19937_64 random_;
+  int threads_;
+  std::string source_;
+  std::string keys_;
+};
+
+TEST(IslandSearch, ProvesNothingThatFails) {
+  constexpr uint64_t kPrograms = 60;
+  constexpr uint32_t kStates = 60'000;
+  int proofs = 0;
+  int failures = 0;
+  for (uint64_t seed = 1; seed <= kPrograms; ++seed) {
+    const RandomIslands card(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
+    CardModel whole = CardOf(card.source(), card.keys());
+    const CardGraph graph = BuildCardGraph(&whole, {.states = kStates, .states_after_bad = 0});
+    const bool fails = graph.bad_states > 0;
+    if (!fails && !graph.graph.complete) continue;
+    CardModel model = CardOf(card.source(), card.keys());
+    const bool proved = ProofOf(&model).has_value();
+    ASSERT_FALSE(proved && fails);
+    // What goes on at the end is noted if it really does.
+    if (proved) {
+      EXPECT_EQ(whole.horizon().axes & ~model.horizon().axes, 0u);
+      EXPECT_EQ(whole.horizon().threads & ~model.horizon().threads, 0u);
+    }
+    proofs += proved ? 1 : 0;
+    failures += fails ? 1 : 0;
+  }
+  // Both are many enough to tell.
+  EXPECT_GE(proofs, static_cast<int>(kPrograms / 20));
+  EXPECT_GE(failures, static_cast<int>(kPrograms / 5));
+}
+
+}  // namespace
+}  // namespace oncard::explore
