@@ -41,8 +41,9 @@ class SetCells {
       case Resource::kAnalog:
         return AddNumbered(touched.number, kFirstAnalog, motion::kAxisMax);
       case Resource::kDigitalOutput:
-        if (touched.number < kOutputWordMax)
+        if (touched.number < kOutputWordMax) {
           AddBits(touched.bits, kFirstOutput, touched.number, kOutputWordBits);
+        }
         return;
       case Resource::kExtension:
         if (touched.number < motion::kModuleCount) {
@@ -79,29 +80,21 @@ class SetCells {
 std::vector<RaceStep> NextRaceSteps(const Controller& controller, int thread,
                                     const std::vector<bool>& sync) {
   using Kind = RaceStep::Kind;
-  StatementAccess accesses = NextPreciseAccess(controller, thread);
-  // A statement reads before it writes.
-  std::stable_partition(accesses.begin(), accesses.end(),
-                        [](const Touched& touched) { return !touched.write; });
   const auto synchronises = [&](uint32_t slot) { return slot < sync.size() && sync[slot]; };
   std::vector<RaceStep> steps;
   std::vector<uint32_t> set;
-  for (const Touched& touched : accesses) {
-    const bool variable = touched.resource == Resource::kVariable;
-    if (variable && !touched.write && synchronises(touched.number)) {
-      steps.push_back({Kind::kAcquire, touched.number});
-    }
-    if (!variable && touched.write) SetCells(controller, &set).Add(touched);
-  }
-  for (const Touched& touched : accesses) {
-    if (touched.resource != Resource::kVariable) continue;
-    if (!synchronises(touched.number)) {
-      steps.push_back({touched.write ? Kind::kWrite : Kind::kRead, touched.number});
+  for (const Touched& touched : NextPreciseAccess(controller, thread)) {
+    if (touched.resource == Resource::kVariable) {
+      const bool orders = synchronises(touched.number);
+      steps.push_back({touched.write ? (orders ? Kind::kRelease : Kind::kWrite)
+                                     : (orders ? Kind::kAcquire : Kind::kRead),
+                       touched.number});
     } else if (touched.write) {
-      steps.push_back({Kind::kRelease, touched.number});
+      SetCells(controller, &set).Add(touched);
     }
   }
   for (const uint32_t cell : set) steps.push_back({Kind::kWrite, cell});
+  std::ranges::stable_sort(steps, {}, &RaceStep::kind);
   return steps;
 }
 

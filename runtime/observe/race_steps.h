@@ -21,14 +21,15 @@ namespace oncard::runtime {
 
 /// Something that a statement does to a cell.
 struct RaceStep {
-  /// Reading a synchronising variable acquires, and writing it releases.
+  /// Reading a synchronising variable acquires, and writing it releases. In the order in which a
+  /// statement does them: who acquires what it releases comes after all that it has accessed.
   enum class Kind : uint8_t { kAcquire, kRead, kWrite, kRelease };
   Kind kind = Kind::kRead;
   uint32_t cell = 0;
 };
 
-/// What the next statement of a running thread does, in this order; element n of `sync` is true if
-/// the global in slot n synchronises, missing ones are false.
+/// What the next statement of a running thread does, in order; element n of `sync` is true if the
+/// global in slot n synchronises, missing ones are false.
 std::vector<RaceStep> NextRaceSteps(const Controller& controller, int thread,
                                     const std::vector<bool>& sync);
 

@@ -11,13 +11,18 @@ namespace {
 
 using runtime::RaceStep;
 
+/// Starts thread 0 with the only function of the program.
+void StartOn(runtime::Controller* card, const CardModel& model) {
+  EXPECT_TRUE(card->Load(model.image()->object).ok());
+  EXPECT_EQ(card->machine().Bind(0, 1, 0), vm::kOk);
+  EXPECT_EQ(card->machine().Run(0), vm::kOk);
+}
+
 /// What a command sets on a card whose coordinate system 1 has the axes 2 and 3.
 std::vector<std::string> SetBy(const std::string& command) {
   const CardModel model = CardOf("int t0() {\n " + command + "\n}\n", "rate = 1000\n");
   runtime::Controller card;
-  EXPECT_TRUE(card.Load(model.image()->object).ok());
-  EXPECT_EQ(card.machine().Bind(0, 1, 0), vm::kOk);
-  EXPECT_EQ(card.machine().Run(0), vm::kOk);
+  StartOn(&card, model);
   motion::CrdParameters parameters;
   parameters.dimension = 2;
   parameters.coordinates = {0, 1, 2};
@@ -62,6 +67,20 @@ TEST(RaceStepsTest, TheServoOfAnAxisIsTheAxis) {
 TEST(RaceStepsTest, WhatIsNoAxisOrOutputIsNotSet) {
   EXPECT_EQ(SetBy("GT_SetDataPage(1);"), CellNames{});
   EXPECT_EQ(SetBy("GT_Delay(3);"), CellNames{});
+}
+
+// The other thread may acquire what this one has written.
+TEST(RaceStepsTest, AStatementReleasesWhenItHasDoneAllElse) {
+  const CardModel model =
+      CardOf("int flag, n;\nint t0() {\n GT_GetSoftLimit(1, &flag, &n);\n}\n", "rate = 1000\n");
+  runtime::Controller card;
+  StartOn(&card, model);
+  const std::vector<RaceStep> steps = NextRaceSteps(card, 0, {true});
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0].kind, RaceStep::Kind::kWrite);
+  EXPECT_EQ(runtime::NameOfCell(steps[0].cell, model.image()->object).en, "n");
+  EXPECT_EQ(steps[1].kind, RaceStep::Kind::kRelease);
+  EXPECT_EQ(runtime::NameOfCell(steps[1].cell, model.image()->object).en, "flag");
 }
 
 }  // namespace
