@@ -62,14 +62,20 @@ Result<CardCondition> CardCondition::Bind(Condition condition,
 }
 
 Message CardCondition::DescribeValues(const Controller& controller) const {
-  std::vector<std::string_view> named;
+  return DescribeValues(controller, [this](size_t name) { return quantities_[name].name; });
+}
+
+Message CardCondition::DescribeValues(const Controller& controller,
+                                      const std::function<std::string(size_t)>& name_of) const {
+  std::vector<std::string> named;
   Message values;
-  for (const Quantity& quantity : quantities_) {
-    if (std::ranges::find(named, quantity.name) != named.end()) continue;
-    const std::string value = DescribeQuantity(quantity, controller);
-    values.en += fmt::format("{}{} is {}", named.empty() ? "" : ", ", quantity.name, value);
-    values.zh += fmt::format("{}{} 为 {}", named.empty() ? "" : "，", quantity.name, value);
-    named.push_back(quantity.name);
+  for (size_t i = 0; i < quantities_.size(); ++i) {
+    std::string name = name_of(i);
+    if (std::ranges::find(named, name) != named.end()) continue;
+    const std::string value = DescribeQuantity(quantities_[i], controller);
+    values.en += fmt::format("{}{} is {}", named.empty() ? "" : ", ", name, value);
+    values.zh += fmt::format("{}{} 为 {}", named.empty() ? "" : "，", name, value);
+    named.push_back(std::move(name));
   }
   return values;
 }

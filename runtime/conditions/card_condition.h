@@ -3,6 +3,9 @@
 // tests/runtime/card_condition_test.cc.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +36,9 @@ class CardCondition {
   /// The names in it with their values, as in `x is 3, a[1] is 0`, each once; empty for a condition
   /// without names.
   Message DescribeValues(const Controller& controller) const;
+  /// The same, where `name_of` says how the condition's names() are called, by their index.
+  Message DescribeValues(const Controller& controller,
+                         const std::function<std::string(size_t)>& name_of) const;
 
  private:
   static Result<CardCondition> Bind(Condition condition, const std::vector<std::string>& names,

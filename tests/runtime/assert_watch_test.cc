@@ -89,6 +89,13 @@ TEST(AssertWatchTest, SeesTheCardAndOtherNames) {
                           "thread 0: axis1.moving is 0, clock is 0"));
 }
 
+TEST(AssertWatchTest, GivesValuesTheirUnits) {
+  EXPECT_THAT(AssertFailures("int f() {\n  //@ assert: axis1.prfPos > 1\n  return 0;\n}\n",
+                             std::string(kOneThread) + "[[world.axis]]\naxis = 1\nunit = \"mm\"\n"
+                                                       "pulses_per_unit = 1000\n"),
+              ElementsAre(testing::ContainsRegex("axis1.prfPos is 0[.0]* mm$")));
+}
+
 TEST(AssertWatchTest, SaysWhatWasNeverTested) {
   const ScenarioResult result = RunOf(
       "int x;\nint f() {\n  if (x) goto E;\n  return 0;\nE:\n  //@ assert: x < 3\n  return "

@@ -22,18 +22,12 @@ std::string WrittenName(const vm::Assert& assert, const std::string& name) {
   return name;
 }
 
-/// The values of what a condition names, by the names that it uses.
+/// The values of what a condition names, by the names that its source uses.
 Message ValuesIn(const vm::Assert& assert, const CardCondition& condition,
                  const Controller& controller) {
-  Message values;
   const auto& names = condition.condition().names();
-  for (size_t i = 0; i < names.size(); ++i) {
-    const std::string value = FormatQuantity(condition.quantities()[i], controller);
-    const std::string name = WrittenName(assert, names[i].Text());
-    values.en += fmt::format("{}{} is {}", i == 0 ? "" : ", ", name, value);
-    values.zh += fmt::format("{}{} 为 {}", i == 0 ? "" : "，", name, value);
-  }
-  return values;
+  return condition.DescribeValues(
+      controller, [&](size_t name) { return WrittenName(assert, names[name].Text()); });
 }
 
 }  // namespace
