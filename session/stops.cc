@@ -39,12 +39,6 @@ Result<std::vector<std::variant<std::string, Quantity>>> ReadLog(const std::stri
   return parts;
 }
 
-Result<CardCondition> ReadCondition(const std::string& text, const runtime::Controller& card) {
-  auto condition = runtime::ParseCondition(text);
-  if (!condition.ok()) return condition.error();
-  return CardCondition::Bind(std::move(condition).value(), card);
-}
-
 uint32_t FreshThreads(const vm::Machine& machine) {
   uint32_t fresh = 0;
   for (int number = 0; number < vm::kThreadCount; ++number) {
@@ -148,7 +142,7 @@ Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const runtime::Control
                      wish.file.empty() ? std::string("the program") : wish.file, wish.line);
   }
   if (!wish.condition.empty()) {
-    auto condition = ReadCondition(wish.condition, card);
+    auto condition = CardCondition::Read(wish.condition, card);
     if (!condition.ok()) return condition.error();
     line.condition = std::move(condition).value();
   }
@@ -229,7 +223,7 @@ std::vector<std::optional<Error>> Stops::Bind(const runtime::Controller& card) {
   }
   conditions_.clear();
   for (size_t i = 0; i < wishes_.conditions.size(); ++i) {
-    auto condition = ReadCondition(wishes_.conditions[i], card);
+    auto condition = CardCondition::Read(wishes_.conditions[i], card);
     if (!good(condition)) continue;
     conditions_.push_back(
         {std::move(condition).value(), true, false, static_cast<int>(i), wishes_.conditions[i]});

@@ -306,11 +306,8 @@ Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<i
     Json values = ValuesView(found.value(), run);
     return Json{{"value", array ? values : values.front()}, {"path", name}};
   }
-  auto condition = runtime::ParseCondition(text);
-  if (!condition.ok()) return condition.error();
-  auto bound = thread
-                   ? CardCondition::BindInThread(std::move(condition).value(), *thread, controller)
-                   : CardCondition::Bind(std::move(condition).value(), controller);
+  const auto bound = thread ? CardCondition::ReadInThread(text, *thread, controller)
+                            : CardCondition::Read(text, controller);
   // A lone name that does not exist: the first error suggests a similar one.
   if (!bound.ok()) return bound.error();
   return Json{{"holds", bound.value().Holds(run.controller())}};

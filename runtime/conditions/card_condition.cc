@@ -44,6 +44,19 @@ Result<CardCondition> CardCondition::BindInThread(Condition condition, int threa
   return Bind(std::move(condition), names, controller);
 }
 
+Result<CardCondition> CardCondition::Read(std::string_view text, const Controller& controller) {
+  auto condition = ParseCondition(text);
+  if (!condition.ok()) return condition.error();
+  return Bind(std::move(condition).value(), controller);
+}
+
+Result<CardCondition> CardCondition::ReadInThread(std::string_view text, int thread,
+                                                  const Controller& controller) {
+  auto condition = ParseCondition(text);
+  if (!condition.ok()) return condition.error();
+  return BindInThread(std::move(condition).value(), thread, controller);
+}
+
 Result<CardCondition> CardCondition::Bind(Condition condition,
                                           const std::vector<std::string>& names,
                                           const Controller& controller) {

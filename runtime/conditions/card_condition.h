@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,10 @@ class CardCondition {
   static Result<CardCondition> Bind(Condition condition, const Controller& controller);
   /// The same with the names as the function of a thread means them (NameInThread()).
   static Result<CardCondition> BindInThread(Condition condition, int thread,
+                                            const Controller& controller);
+  /// ParseCondition(), then Bind() or BindInThread().
+  static Result<CardCondition> Read(std::string_view text, const Controller& controller);
+  static Result<CardCondition> ReadInThread(std::string_view text, int thread,
                                             const Controller& controller);
 
   const Condition& condition() const { return condition_; }

@@ -1,15 +1,6 @@
 #include "runtime/scenario/run/reaction_conditions.h"
 
 namespace oncard::runtime {
-namespace {
-
-Result<CardCondition> BindReaction(const std::string& text, const Controller& controller) {
-  auto condition = ParseCondition(text);
-  if (!condition.ok()) return condition.error();
-  return CardCondition::Bind(std::move(condition).value(), controller);
-}
-
-}  // namespace
 
 ReactionConditions::ReactionConditions(const World& world) {
   for (const InputReaction& reaction : world.reactions) texts_.push_back(reaction.when);
@@ -20,7 +11,7 @@ Reactions::Look ReactionConditions::LookAt(const Controller& controller) {
     names_ = std::move(names);
     conditions_.clear();
     for (const std::string& text : texts_) {
-      auto bound = BindReaction(text, controller);
+      auto bound = CardCondition::Read(text, controller);
       conditions_.push_back(bound.ok() ? std::optional(std::move(bound).value()) : std::nullopt);
     }
   }
@@ -40,7 +31,7 @@ void CheckReactions(const Scenario& scenario, const Controller& controller, uint
   for (size_t i = 0; i < reactions.size(); ++i) {
     const std::string& when = reactions[i].when;
     if ((known >> i & 1) != 0 || !errors->CanJudge(when)) continue;
-    const auto bound = BindReaction(when, controller);
+    const auto bound = CardCondition::Read(when, controller);
     if (bound.ok()) continue;
     const Message& why = bound.error().message;
     errors->AddText(PlaceOfText(scenario, kReactionPlaces, i), when,

@@ -68,9 +68,7 @@ void RequirementWatch::Bind(const Controller& controller, Watched* watched) cons
   watched->condition.reset();
   watched->then.reset();
   const auto bind = [&](const std::string& text) -> std::optional<CardCondition> {
-    auto condition = ParseCondition(text);
-    auto bound = condition.ok() ? CardCondition::Bind(std::move(condition).value(), controller)
-                                : Result<CardCondition>(condition.error());
+    auto bound = CardCondition::Read(text, controller);
     if (!bound.ok()) {
       watched->missing = bound.error().message;
     } else if (!names_->acts && NamesProgram(bound.value())) {
