@@ -70,6 +70,7 @@ void AssertWatch::Begin(const Controller& controller, ScenarioErrors* errors) {
   asserts_ = AssertsOf(image_->object, program_path_);
   reached_.assign(asserts_.size(), false);
   first_.clear();
+  bound_ = {};
   size_t first = 0;
   for (const vm::Function& function : functions) {
     first_.push_back(first);
@@ -87,11 +88,9 @@ void AssertWatch::Begin(const Controller& controller, ScenarioErrors* errors) {
     const std::vector<vm::Assert>& own = functions[thread.function].asserts;
     for (size_t i = 0; i < own.size(); ++i) {
       std::optional<Message>& why = wrong[first_[thread.function] + i];
-      auto condition = ParseCondition(own[i].condition);
-      if (!condition.ok()) continue;
-      const auto bound =
-          CardCondition::BindInThread(std::move(condition).value(), number, controller);
-      if (!why && !bound.ok()) why = bound.error().message;
+      if (why) continue;
+      const auto bound = CardCondition::ReadInThread(own[i].condition, number, controller);
+      if (!bound.ok()) why = bound.error().message;
     }
   }
   for (size_t i = 0; i < asserts_.size(); ++i) {
@@ -103,19 +102,15 @@ void AssertWatch::Begin(const Controller& controller, ScenarioErrors* errors) {
 
 const AssertWatch::Bound& AssertWatch::BoundOf(const Controller& controller, int thread) {
   const vm::ThreadState& state = controller.machine().thread(thread);
-  Bound& bound = bound_[static_cast<size_t>(thread)];
-  if (bound.image == image_.get() && bound.function == state.function && bound.page == state.page) {
-    return bound;
-  }
-  bound = {image_.get(), state.function, state.page};
+  std::optional<Bound>& bound = bound_[static_cast<size_t>(thread)];
+  if (bound && bound->function == state.function && bound->page == state.page) return *bound;
+  bound = Bound{state.function, state.page};
   for (const vm::Assert& each : image_->object.functions[state.function].asserts) {
-    std::optional<CardCondition>& condition = bound.conditions.emplace_back();
-    auto read = ParseCondition(each.condition);
-    if (!read.ok()) continue;
-    auto named = CardCondition::BindInThread(std::move(read).value(), thread, controller);
-    if (named.ok()) condition = std::move(named).value();
+    std::optional<CardCondition>& condition = bound->conditions.emplace_back();
+    auto read = CardCondition::ReadInThread(each.condition, thread, controller);
+    if (read.ok()) condition = std::move(read).value();
   }
-  return bound;
+  return *bound;
 }
 
 AssertWatch::Ahead AssertWatch::Look(const Controller& controller, int thread) {

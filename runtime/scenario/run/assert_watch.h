@@ -67,7 +67,6 @@ class AssertWatch {
  private:
   /// The conditions of a thread's function, for its page; empty: the names are unknown there.
   struct Bound {
-    const vm::Image* image = nullptr;
     uint8_t function = 0;
     uint8_t page = 0;
     std::vector<std::optional<CardCondition>> conditions = {};
@@ -89,7 +88,7 @@ class AssertWatch {
   std::vector<Requirement> asserts_;
   std::vector<size_t> first_;  ///< of each function, its first one in asserts_
   std::vector<bool> reached_;
-  std::array<Bound, vm::kThreadCount> bound_;
+  std::array<std::optional<Bound>, vm::kThreadCount> bound_;  ///< of threads that have met one
   std::array<Ahead, vm::kThreadCount> ahead_;
 };
 
