@@ -112,14 +112,11 @@ StatementAccess LastingAccessOf(const Quantity& quantity, const Controller& cont
           {Resource::kDigitalOutput, Touched::kAll, false,
            quantity.kind == QuantityKind::kOutputBit ? uint32_t{1} << quantity.bit : ~uint32_t{0}});
       break;
-    case QuantityKind::kMotion: {
-      const std::string_view name = quantity.name;
-      const MotionPart* part = FindMotionPart(name.substr(0, name.find_first_of("0123456789.")));
-      widened.Add(part != nullptr && part->of_axis
+    case QuantityKind::kMotion:
+      widened.Add(quantity.part->of_axis
                       ? Touched{Resource::kAxis, static_cast<uint32_t>(quantity.index) + 1}
                       : kEverything);
       break;
-    }
     case QuantityKind::kClock:
       break;
     // States that differ in counts of statements alone count as one, so that it depends on the

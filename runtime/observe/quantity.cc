@@ -248,6 +248,7 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   Quantity quantity;
   quantity.name = name;
   quantity.kind = QuantityKind::kMotion;
+  quantity.part = &part;
   quantity.value = value;
   quantity.index = index;
   const bool measured = value->unit == Unit::kPulse || value->unit == Unit::kPulsePerMs ||

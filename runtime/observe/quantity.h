@@ -52,7 +52,8 @@ struct Quantity {
   int thread = 0;                      ///< kThread...
   int word = 0;                        ///< number of the input or output word
   int bit = 0;                         ///< from 0
-  const MotionValue* value = nullptr;  ///< kMotion
+  const MotionPart* part = nullptr;    ///< kMotion
+  const MotionValue* value = nullptr;  ///< kMotion: of that part
   size_t index = 0;                    ///< of the part, from 0
   AxisUnit axis_unit = {};             ///< of what is measured along an axis that has a unit
 
