@@ -11,11 +11,6 @@ using gtcalls::Resource;
 
 constexpr Touched kEverything = {Resource::kEverything, Touched::kAll, true};
 
-bool IsOfAxis(Resource resource) {
-  return resource == Resource::kAxis || resource == Resource::kEncoder ||
-         resource == Resource::kControl;
-}
-
 class Widened {
  public:
   explicit Widened(const Controller& controller) : controller_(controller) {}

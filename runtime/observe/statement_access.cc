@@ -240,10 +240,6 @@ class NextStatement {
     return crd.gear_count != 0 || std::ranges::any_of(crd.fifos, &motion::CrdFifo::awaits_move);
   }
 
-  static bool IsOfAxis(Resource resource) {
-    return resource == Resource::kAxis || resource == Resource::kEncoder ||
-           resource == Resource::kControl;
-  }
   /// The profile, encoder, controller and pulse output of an axis normally have its number, but not
   /// in a gantry or with another mapping in the configuration. Then a command for one axis may
   /// access any other.
@@ -328,6 +324,11 @@ std::string_view NameOf(Resource resource) {
 }
 
 }  // namespace
+
+bool IsOfAxis(Resource resource) {
+  return resource == Resource::kAxis || resource == Resource::kEncoder ||
+         resource == Resource::kControl;
+}
 
 StatementAccess NextAccess(const Controller& controller, int thread) {
   return NextStatement(controller, thread, false).Access();

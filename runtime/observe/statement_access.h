@@ -35,6 +35,9 @@ struct Touched {
   static constexpr uint32_t kFirstChannel = 16;
 };
 
+/// True for what belongs to the axis with its number: profile, encoder and servo controller.
+bool IsOfAxis(gtcalls::Resource resource);
+
 /// Resources that are private to a thread are not included.
 using StatementAccess = std::vector<Touched>;
 
