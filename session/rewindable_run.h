@@ -187,11 +187,11 @@ class RewindableRun {
     runtime::CardCondition left;
     runtime::CardCondition right;
   };
-  /// Notes from now on which conditions have held in a state of the scenario's run, and what it
-  /// owes to responses: the present one, after the beginning of a cycle, and after a statement. To
-  /// be called at moment 0. While one has not held yet, and with responses always, every statement
-  /// is executed by itself.
-  void Await(std::vector<runtime::CardCondition> conditions, std::vector<Response> responses = {});
+  /// Notes from now on, in each state of the scenario's run, which conditions have held and what is
+  /// owed to responses: in the present one, after the beginning of a cycle, and after a statement.
+  /// To be called at moment 0. While a condition has not held yet, and with responses always, every
+  /// statement is executed by itself.
+  void Await(std::vector<runtime::CardCondition> conditions, std::vector<Response> responses);
   /// True if the condition with this number has held up to the present.
   bool HasHeld(size_t condition) const { return place_.held[condition]; }
   /// What is owed at present to the response with this number.

@@ -248,11 +248,11 @@ std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
   if (const auto* calls = run.calls(); calls != nullptr) {
     if (auto why = calls->Incomplete()) failed.push_back(*std::move(why));
   }
+  if (run.is_cut()) return failed;
   const auto check = [&](const std::string& title, const CardCondition& condition) {
     if (condition.Holds(run.controller())) return;
     failed.push_back(DoesNotHold(title, condition, run));
   };
-  if (run.is_cut()) return failed;
   for (const runtime::Agenda::Check& each : run.expectations_at_end()) {
     check(each.text, each.condition);
   }
