@@ -163,6 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"[[world.input]]\nat_ms = 1\n", "'value' is missing"},
         WrongCase{"[[world.input]]\ntype = \"knob\"\nvalue = 1\n", "no inputs are named 'knob'"},
         WrongCase{"[[world.react]]\nvalue = 1\n", "'when' is missing"},
+        WrongCase{"[[world.react]]\nwhen = \"n\"\nindex = 1\nvalue = \"any\"\n",
+                  "'value' must be a whole number from 0 to 1"},
         WrongCase{"[[world.axis]]\ndrive = \"ideal\"\n", "'axis' is missing"},
         WrongCase{"[[world.axis]]\naxis = 1\ndrive = \"hydraulic\"\n", "'drive' must be one of"},
         WrongCase{"[[world.switch]]\naxis = 1\nfrom = 1\nactive_low = 1\n",

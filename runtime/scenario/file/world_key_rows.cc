@@ -15,8 +15,9 @@ constexpr double kSlipMax = 1000;
 constexpr double kFollowedMin = 0.001;
 constexpr double kFollowedMax = kWorldVelocityMax;
 
-/// The widest word of inputs.
+/// The bits of the widest word of inputs, and its largest value.
 constexpr int kInputsMax = 16;
+constexpr int64_t kLevelsMax = (int64_t{1} << kInputsMax) - 1;
 
 constexpr int kAuxiliaryLowest = static_cast<int>(motion::kAuxiliaryFirst) + 1;
 constexpr int kAuxiliaryHighest = kAuxiliaryLowest + static_cast<int>(motion::kAuxiliaryCount) - 1;
@@ -81,10 +82,9 @@ constexpr Key<InputEvent> kInputKeys[] = {
       {"the input, from 1", "输入的编号，从 1 开始"},
       {"all inputs of the type", "该类型的所有输入"}}},
     {{"value",
-      KeyType::Level((int64_t{1} << kInputsMax) - 1),
+      KeyType::Level(kLevelsMax),
       {"level of the pin, 0 or 1; without `index` a word with one bit for each pin. `\"any\"`, "
-       "with "
-       "`index` only, is a choice of 0 or 1, below",
+       "with `index` only, is a choice of 0 or 1, below",
        "管脚电平，0 或 1；没有 `index` 时为每位对应一个管脚的字。`\"any\"` 须有 `index`，"
        "为 0 与 1 之间的选择"}}},
     {{"at_ms",
@@ -102,7 +102,7 @@ constexpr Key<InputEvent> kInputKeys[] = {
       kAtMs}},
 };
 
-// Of the input it has the keys of `[[world.input]]`.
+// Of the input it has the keys of `[[world.input]]`, but nothing is left open.
 constexpr Key<InputReaction> kReactionKeys[] = {
     {{"when",
       KeyType::Text(),
@@ -120,7 +120,10 @@ constexpr Key<InputReaction> kReactionKeys[] = {
      true},
     {kInputKeys[0].about},
     {kInputKeys[1].about},
-    {kInputKeys[2].about},
+    {{"value",
+      KeyType::Whole(0, kLevelsMax),
+      {"level of the pin, 0 or 1; without `index` a word with one bit for each pin",
+       "管脚电平，0 或 1；没有 `index` 时为每位对应一个管脚的字"}}},
 };
 
 constexpr Key<MotorSetup> kMotorKeys[] = {
