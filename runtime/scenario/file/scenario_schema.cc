@@ -65,7 +65,7 @@ class SchemaWriter {
   }
 
   Json ValueOf(const KeyType& type) const {
-    const Json number = {{"type", "number"}};
+    Json number = {{"type", "number"}};
     const Json list = {{"type", "array"}, {"minItems", 1}, {"items", number}};
     Json time = {{"type", "number"}, {"minimum", 0}, {"maximum", kTimeMsMax}};
     switch (type.kind) {
@@ -88,6 +88,8 @@ class SchemaWriter {
         return whole;
       }
       case KeyKind::kNumber:
+        // In the unit of an axis the range is another one.
+        if (type.measure) return number;
         return {{"type", "number"}, {"minimum", type.smallest}, {"maximum", type.largest}};
       case KeyKind::kNumbers:
         return {
