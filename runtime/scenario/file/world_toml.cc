@@ -222,8 +222,8 @@ class WorldReader {
 
   void CheckPositions(const toml::table& table, double from, double to) {
     if (!table.contains("from") && !table.contains("to")) {
-      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
-                                  "缺少“from”或“to”：开关的位置，单位脉冲"});
+      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch",
+                                  "缺少“from”或“to”：开关的位置"});
     } else if (from > to) {
       keys_.Fail(table.source(),
                  {"'from' is greater than 'to': exchange them", "“from”大于“to”：应对调"});
@@ -258,7 +258,7 @@ class WorldReader {
     } else if (fault.kind == FaultKind::kSlip) {
       ReadValue(table, InUnit(RowOf(FaultKeys(), "velocity"), UnitOf(world_, fault.number)), keys_,
                 fault.amount);
-      Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
+      Need(table, "velocity", {"the velocity of the slip", "滑移速度"});
     }
     ReadBetween(table, &fault);
     if (fault.until_us && *fault.until_us <= fault.last_us.value_or(fault.at_us)) {
