@@ -544,17 +544,7 @@ const std::vector<CardFinding>& Supervisor::findings() const { return found_->fi
 void Supervisor::Include(const Supervisor& other) {
   if (other.findings().empty()) return;
   Found& found = PresentFound();
-  for (const auto& [key, number] : other.found_->known) {
-    const CardFinding& finding = other.findings()[number];
-    const auto [entry, added] = found.known.try_emplace(key, found.findings.size());
-    if (added) {
-      found.findings.push_back(finding);
-      continue;
-    }
-    CardFinding& known = found.findings[entry->second];
-    known.first_us = std::min(known.first_us, finding.first_us);
-    known.count += finding.count;
-  }
+  IncludeFound(other.found_->known, other.findings(), &found.known, &found.findings);
 }
 
 Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site, size_t axis) const {

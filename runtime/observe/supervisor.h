@@ -52,7 +52,7 @@ class Supervisor final : public CardObserver {
 
   /// In the order of their first occurrence. Who reports them leaves out what is silenced.
   const std::vector<CardFinding>& findings() const;
-  /// Adds what was found in other runs of the same program.
+  /// Adds what was found in other runs of the same program, behind what there is.
   void Include(const Supervisor& other);
   /// To be called at the end of a run that was not interrupted: adds what only the end shows.
   void JudgeEnd();

@@ -2,7 +2,12 @@
 // tests/runtime/refused_commands_test.cc and supervisor_test.cc.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "base/message.h"
 #include "gtcalls/card.h"
@@ -31,5 +36,25 @@ Message DescribePlace(const CommandPlace& place, const std::string& program_path
 
 /// ` (at 0.25 ms)`, ` (first at 0.25 ms, 3 times)`; nothing if the count is 0.
 Message DescribeOccurrences(int64_t first_us, int64_t count);
+
+/// Adds to what was found in some runs of a program what was found in others, each place once, with
+/// the earliest time and all counts. The maps say where the finding of a place is in its list. What
+/// is new comes last, in the order of its list.
+template <typename Place, typename Found>
+void IncludeFound(const std::map<Place, size_t>& other_places, const std::vector<Found>& others,
+                  std::map<Place, size_t>* places, std::vector<Found>* all) {
+  std::vector<const Place*> place_of(others.size());
+  for (const auto& [place, number] : other_places) place_of[number] = &place;
+  for (size_t i = 0; i < others.size(); ++i) {
+    const auto [entry, added] = places->try_emplace(*place_of[i], all->size());
+    if (added) {
+      all->push_back(others[i]);
+      continue;
+    }
+    Found& found = (*all)[entry->second];
+    found.first_us = std::min(found.first_us, others[i].first_us);
+    found.count += others[i].count;
+  }
+}
 
 }  // namespace oncard::runtime

@@ -1,7 +1,5 @@
 #include "runtime/sim/refused_commands.h"
 
-#include <algorithm>
-
 #include "runtime/sim/call_text.h"
 
 namespace oncard::runtime {
@@ -27,17 +25,7 @@ void RefusedCommands::Add(const gtcalls::Call& call, int16_t code, int64_t now_u
 }
 
 void RefusedCommands::Include(const RefusedCommands& other) {
-  for (const auto& [place, number] : other.known_) {
-    const RefusedCommand& refused = other.list_[number];
-    const auto [entry, added] = known_.try_emplace(place, list_.size());
-    if (added) {
-      list_.push_back(refused);
-      continue;
-    }
-    RefusedCommand& known = list_[entry->second];
-    known.first_us = std::min(known.first_us, refused.first_us);
-    known.count += refused.count;
-  }
+  IncludeFound(other.known_, other.list_, &known_, &list_);
 }
 
 Message DescribeRefusedPlace(const RefusedCommand& refused, const std::string& program_path) {

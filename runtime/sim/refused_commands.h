@@ -29,7 +29,7 @@ class RefusedCommands {
   /// Records that a command of a motion-program thread was refused at that time.
   void Add(const gtcalls::Call& call, int16_t code, int64_t now_us);
 
-  /// Adds what was recorded in other runs of the same program.
+  /// Adds what was recorded in other runs of the same program, behind what there is.
   void Include(const RefusedCommands& other);
 
   /// In the order of their first occurrence.

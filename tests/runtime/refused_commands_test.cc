@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/sim/refused_commands.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -49,6 +50,26 @@ TEST(RefusedCommands, AreFoundAtTheirPlaceInLaterFunctions) {
       "[[thread]]\nthread = 3\nfunction = \"g\"\n");
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_THAT(result.warnings[0].en, StartsWith("p.c:10: thread 3 g: GT_AxisOn(9) = 7"));
+}
+
+// The other runs have met the places 9, 3 and 7, in this order.
+TEST(RefusedCommands, OfOtherRunsComeBehindInTheirOrder) {
+  const auto at = [](int64_t first_us, int64_t count) {
+    RefusedCommand refused;
+    refused.first_us = first_us;
+    refused.count = count;
+    return refused;
+  };
+  std::map<int, size_t> places = {{7, 0}};
+  std::vector<RefusedCommand> all = {at(300, 2)};
+  IncludeFound({{9, 0}, {3, 1}, {7, 2}}, std::vector{at(50, 1), at(60, 1), at(100, 3)}, &places,
+               &all);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].first_us, 100);
+  EXPECT_EQ(all[0].count, 5);
+  EXPECT_EQ(all[1].first_us, 50);
+  EXPECT_EQ(all[2].first_us, 60);
+  EXPECT_EQ(places.at(3), 2u);
 }
 
 }  // namespace
