@@ -50,7 +50,6 @@ struct Curve {
   size_t color = 0;
   int dash = 0;  ///< 0: solid; others distinguish curves with the same colour in a panel
   std::string unit = {};
-  bool of_own_unit = false;  ///< that of an axis
 };
 
 struct Range {
@@ -65,10 +64,11 @@ struct Range {
 };
 
 struct Panel {
-  std::string label;
-  std::vector<Curve> curves;
+  std::string label = {};
+  std::vector<Curve> curves = {};
   bool signals = false;                          // stacked, one row each
   std::span<const std::string_view> names = {};  // of the values
+  bool measures = false;                         // along axes: each curve has a unit
 };
 
 struct Path {
@@ -140,11 +140,10 @@ std::vector<Point> Changes(const std::vector<Point>& points) {
 class Picture {
  public:
   explicit Picture(const Trace& trace) : trace_(trace) {
-    const auto unit = [&](Unit of) { return UnitName(of, trace.per_cycle()); };
-    panels_[1].label = fmt::format("velocity [{}]", unit(Unit::kPulsePerMs));
-    panels_[2].label = fmt::format("acceleration [{}]", unit(Unit::kPulsePerMs2));
     for (size_t i = 0; i < trace.columns().size(); ++i) AddColumn(i);
-    for (Panel& panel : panels_) NameUnits(&panel);
+    for (Panel& panel : panels_) {
+      if (panel.measures && !panel.curves.empty()) NameUnits(&panel);
+    }
     AddPaths();
     if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().last().time_us);
     if (end_ms_ <= 0) end_ms_ = 1;
@@ -170,18 +169,15 @@ class Picture {
   }
 
  private:
-  // Where axes have units of their own, the label has the unit of all curves, or each name its own.
+  // The label has the unit of all curves; if axes have several, the name of each curve has its own.
   static void NameUnits(Panel* panel) {
     std::vector<Curve>& curves = panel->curves;
-    const auto own = [](const Curve& curve) { return curve.of_own_unit; };
-    if (std::ranges::none_of(curves, own)) return;
-    const std::string unit = curves.front().unit;
-    const bool one = std::ranges::all_of(curves, [&](const Curve& c) { return c.unit == unit; });
-    panel->label = panel->label.substr(0, panel->label.find(" ["));
-    if (one) panel->label += fmt::format(" [{}]", unit);
-    for (Curve& curve : curves) {
-      if (!one) curve.name += fmt::format(" [{}]", curve.unit);
+    const std::string& unit = curves.front().unit;
+    if (std::ranges::all_of(curves, [&](const Curve& curve) { return curve.unit == unit; })) {
+      panel->label += fmt::format(" [{}]", unit);
+      return;
     }
+    for (Curve& curve : curves) curve.name += fmt::format(" [{}]", curve.unit);
   }
 
   // --- What there is to see --------------------------------------------------------------------
@@ -265,7 +261,6 @@ class Picture {
     Curve curve;
     curve.name = quantity.name;
     curve.unit = quantity.UnitText(trace_.per_cycle());
-    curve.of_own_unit = quantity.axis_unit.named();
     curve.steps = form != NumberForm::kReal;
     curve.points = curve.steps ? Changes(points) : Simplify(points);
     curve.color = quantity.value == nullptr ? panel.curves.size() : ColorOfPart(quantity.name);
@@ -531,12 +526,12 @@ class Picture {
   const Trace& trace_;
   // In the order of the picture, without empty ones.
   std::vector<Panel> panels_ = {
-      {"position [pulse]", {}, false},
-      {"", {}, false},  // velocity, whose unit is the card's
-      {"", {}, false},  // acceleration
-      {"following error [pulse]", {}, false},
-      {"variables", {}, false},
-      {"", {}, true},
+      {.label = "position", .measures = true},
+      {.label = "velocity", .measures = true},
+      {.label = "acceleration", .measures = true},
+      {.label = "following error", .measures = true},
+      {.label = "variables"},
+      {.signals = true},
   };
   std::vector<Path> paths_;
   std::vector<std::string> parts_;  // the parts that have a colour
