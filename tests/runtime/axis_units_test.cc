@@ -187,9 +187,10 @@ TEST(AxisUnits, CardsThatCountCyclesHaveNone) {
   const auto scenario = ParseScenario(std::string("card = \"GT-400-SV\"\n") + kMillimetres,
                                       "t.toml", ScenarioUse::kHost);
   ASSERT_FALSE(scenario.ok());
-  EXPECT_THAT(scenario.error().message.en,
-              HasSubstr("the card GT-400-SV counts velocities in cycles, so that axis 1 has no "
-                        "'unit': remove it, and give its numbers in pulses"));
+  EXPECT_THAT(
+      scenario.error().message.en,
+      HasSubstr("t.toml:4:8: the card GT-400-SV counts velocities in cycles, so that axis 1 has no "
+                "'unit': remove it, and give its numbers in pulses"));
 }
 
 }  // namespace

@@ -177,13 +177,14 @@ class ScenarioReader : private TomlKeys {
   void CheckUnits(const toml::table& world) {
     const auto card = gtcalls::FindCard(scenario_.card);
     if (!card || card->family->cycle_ns == 0) return;
-    for (const MotorSetup& motor : scenario_.world.motors) {
-      if (motor.unit.empty()) continue;
-      Fail(world.source(),
+    const std::vector<MotorSetup>& motors = scenario_.world.motors;
+    for (size_t i = 0; i < motors.size(); ++i) {
+      if (motors[i].unit.empty()) continue;
+      Fail(world["axis"][i]["unit"].node()->source(),
            MakeMessage("the card {0} counts velocities in cycles, so that axis {1} has no 'unit': "
                        "remove it, and give its numbers in pulses",
                        "控制卡 {0} 以周期计速度，轴 {1} 不能有“unit”：应去掉，并以脉冲给出数值",
-                       scenario_.card, motor.axis));
+                       scenario_.card, motors[i].axis));
     }
   }
 
