@@ -229,8 +229,8 @@ class MotionCore {
   /// Replaces the events by others of which as many have already happened; from now on hands move
   /// motors, and encoders drift, as fast as the new ones say.
   void SetEvents(std::shared_ptr<const WorldEvents> events);
-  /// Lets an event happen at the instant of the last tick that is not among these. The next tick
-  /// sees it, as one of that instant that comes before all others.
+  /// Lets an event that is not among these happen now; its own instant does not matter. The next
+  /// tick applies those of this instant after it.
   void Happen(const WorldEvent& event);
   /// Sets the position of a motor by hand; the encoder does not count this.
   void PlaceMotor(size_t motor, double position);

@@ -197,8 +197,9 @@ void CardWatch::Finish(Controller* controller) {
   const RunBounds bounds = RunBounds::Of(*scenario_, controller->clock());
   const bool in_order = !over_ || bounds.kind_of_last() == RunOver::kUntil;
   if (requirements_) FinishRequirements(*controller, in_order);
-  if (const Reactions* reactions = controller->reactions())
+  if (const Reactions* reactions = controller->reactions()) {
     FinishReactions(*controller, *reactions);
+  }
   if (!in_order) {
     failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",
                                     "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,

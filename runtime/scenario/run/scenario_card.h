@@ -18,7 +18,7 @@ ControllerOptions CardOptions(const Scenario& scenario);
 void ApplyWorld(const Scenario& scenario, Controller* controller);
 
 /// True if time or the card matters: the program calls GT commands, a thread is periodic, the
-/// scenario ends at an instant, or an expectation has one.
+/// scenario ends at an instant, or an expectation has an instant or a tolerance.
 bool NeedsCard(const Scenario& scenario, const vm::Object& object);
 
 }  // namespace oncard::runtime

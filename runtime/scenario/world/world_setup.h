@@ -31,9 +31,6 @@ struct InputEvent {
   bool operator==(const InputEvent&) const = default;
 };
 
-/// Largest name of the unit of an axis.
-inline constexpr size_t kUnitBytes = 16;
-
 /// An input that changes some time after a condition (runtime/conditions) has become true.
 struct InputReaction {
   std::string when;
@@ -47,6 +44,9 @@ inline constexpr size_t kReactionMax = 64;
 /// Their largest delay: a minute. A condition can become true at every other boundary of cycles
 /// only, so this also bounds how many can be pending.
 inline constexpr int64_t kReactionUsMax = 60'000'000;
+
+/// The bytes of the longest name of a unit.
+inline constexpr size_t kUnitBytes = 16;
 
 /// The drive and mechanics of an axis. Its numbers, and those of switches and faults of the axis,
 /// are in its unit: positions in `unit`, velocities in `unit`/s, accelerations in `unit`/s^2.
