@@ -228,8 +228,7 @@ Result<InitialValue> ParseValueRange(std::string_view text) {
   const size_t dots = std::min(range.find(".."), range.size());
   const auto first = ReadWhole<int64_t>(Trim(range.substr(0, dots)));
   const auto last = ReadWhole<int64_t>(Trim(range.substr(std::min(dots + 2, range.size()))));
-  if (name.empty() || !first || !last || *first > *last || *first < -kChosenMax ||
-      *last > kChosenMax) {
+  if (name.empty() || !first || !last || !IsChoice(*first, *last)) {
     return MakeError(1,
                      "'{0}' is not a choice: expected name = first..last with whole numbers, the "
                      "smaller one first, as in x = 0..3",

@@ -222,6 +222,10 @@ Result<InitialValue> ParseInitialValue(std::string_view text);
 
 /// Whole numbers of which one is chosen are at most so far from 0: doubles are exact up to here.
 inline constexpr int64_t kChosenMax = int64_t{1} << 53;
+/// True if one of the whole numbers from `first` to `last` can be chosen.
+constexpr bool IsChoice(int64_t first, int64_t last) {
+  return -kChosenMax <= first && first <= last && last <= kChosenMax;
+}
 
 /// Reads `name = first..last`, the form of `//@ input`: any whole number between them.
 Result<InitialValue> ParseValueRange(std::string_view text);

@@ -55,7 +55,7 @@ bool ReadAny(const toml::table& table, InitialValue* initial) {
   if (table.size() != 1 || ends == nullptr || ends->size() != 2) return false;
   const auto first = ends->at(0).value_exact<int64_t>();
   const auto last = ends->at(1).value_exact<int64_t>();
-  if (!first || !last || *first > *last || *first < -kChosenMax || *last > kChosenMax) return false;
+  if (!first || !last || !IsChoice(*first, *last)) return false;
   initial->values = {static_cast<double>(*first)};
   initial->last = *last;
   return true;
