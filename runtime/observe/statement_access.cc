@@ -152,16 +152,17 @@ class NextStatement {
     const auto add_bits = [&](uint32_t bits) {
       Add(access.resource, Parameter(access.selector, operands), access.write, bits);
     };
+    // A number out of range is refused.
+    const auto bit_of = [](uint32_t number) {
+      return number < Touched::kFirstChannel ? uint32_t{1} << number : uint32_t{0};
+    };
     switch (access.part) {
-      case Part::kBit: {
-        // A number out of range is refused.
-        const uint32_t bit = detail - static_cast<uint32_t>(access.first);
-        return add_bits(bit < Touched::kFirstChannel ? uint32_t{1} << bit : 0);
-      }
+      case Part::kBit:
+        return add_bits(bit_of(detail - static_cast<uint32_t>(access.first)));
       case Part::kBits:
         return add_bits((uint32_t{1} << Touched::kFirstChannel) - 1);
       case Part::kChannel:
-        return add_bits(uint32_t{1} << (Touched::kFirstChannel + detail % Touched::kFirstChannel));
+        return add_bits(bit_of(detail) << Touched::kFirstChannel);
       case Part::kNumbers: {
         const uint32_t count =
             access.detail_count < 0 ? 1 : Parameter(access.detail_count, operands);
