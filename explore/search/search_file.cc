@@ -69,6 +69,7 @@ uint64_t HashOf(const Problem& problem) {
                         requirement.AsRequirement().Expression());
     if (requirement.scope == Scope::kAssert) text += " " + requirement.at;
   }
+  if (problem.may_last) text += "\nmay last";
   return XXH64(text.data(), text.size(), 0);
 }
 

@@ -48,7 +48,7 @@ struct SearchFile {
   bool whole() const;  ///< it holds all parts
 };
 
-/// A hash of a problem: its program, its initial state and its requirements.
+/// A hash of a problem: its program, its initial state and what is asked of its runs.
 uint64_t HashOf(const Problem& problem);
 
 /// The work of a part. A part I/N of a search of traces has every N-th unit, always the same ones.

@@ -233,6 +233,7 @@ TEST(SearchFileTest, OtherProblemsHaveOtherHashes) {
   EXPECT_NE(HashOf(ProblemOf(source + "//@ never: x == 7\n")), hash);
   EXPECT_NE(HashOf(ProblemOf(source + "//@ init: x=1\n")), hash);
   EXPECT_NE(HashOf(ProblemOf(source + "//@ races: none\n")), hash);
+  EXPECT_NE(HashOf(ProblemOf(source + "//@ livelock: any\n")), hash);
 }
 
 TEST(SearchFileTest, PartsAreNumberedFromOne) {
