@@ -20,6 +20,23 @@ struct ClaimEntry {
 
 // --- What was asked ------------------------------------------------------------------------------
 
+/// True for engines that also look at runs without an end.
+bool SeesEndlessRuns(EngineKind engine) {
+  switch (engine) {
+    case EngineKind::kAuto:
+    case EngineKind::kDpor:
+    case EngineKind::kStateful:
+      return true;
+    case EngineKind::kBounded:
+    case EngineKind::kRandom:
+    case EngineKind::kPct:
+    case EngineKind::kPos:
+    case EngineKind::kFollow:
+      break;
+  }
+  return false;
+}
+
 /// Which faults an exploration can find without a requirement.
 struct BuiltIn {
   bool deadlock = false;
@@ -34,19 +51,8 @@ BuiltIn BuiltInOf(const Findings& findings) {
     const bool limit = card->until_us ? *card->until_us > card->limit_ms * 1000 : !subject.may_last;
     return {deadlock, false, limit};
   }
-  switch (findings.exploration.engine) {
-    case EngineKind::kAuto:
-    case EngineKind::kDpor:
-    case EngineKind::kStateful:
-      return {deadlock, !subject.may_last, false};
-    case EngineKind::kBounded:
-    case EngineKind::kRandom:
-    case EngineKind::kPct:
-    case EngineKind::kPos:
-    case EngineKind::kFollow:
-      break;
-  }
-  return {deadlock, false, false};
+  const bool livelock = !subject.may_last && SeesEndlessRuns(findings.exploration.engine);
+  return {deadlock, livelock, false};
 }
 
 std::string_view RaceRuleText(RaceRule rule) {
@@ -202,7 +208,7 @@ ClaimEntry Assumptions(const Findings& findings) {
   if (!subject.card) {
     entry.lines.push_back({"any thread may execute the next statement; no time passes",
                            "任一线程都可能执行下一条语句；不计时间"});
-    if (AsksForResponses(subject) && BuiltInOf(findings).livelock) {
+    if (AsksForResponses(subject) && SeesEndlessRuns(findings.exploration.engine)) {
       entry.lines.push_back({"leads: no thread that can run waits for ever for its next statement",
                              "leads：任一可运行的线程都不会永远得不到执行"});
     }
@@ -258,7 +264,7 @@ ClaimEntry Bounds(const Findings& findings) {
     }
   }
   if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
-  if (AsksForResponses(findings.subject) && !BuiltInOf(findings).livelock) {
+  if (AsksForResponses(findings.subject) && !SeesEndlessRuns(exploration.engine)) {
     add({"leads: only runs that end", "leads：仅限会结束的运行"});
   }
   if (const auto& islands = exploration.islands) {

@@ -94,6 +94,26 @@ TEST(EndlessTest, ALivelockThatIsAllowedHidesNoFailureOfRunsThatEnd) {
   EXPECT_EQ(findings.exploration.failure->fault.kind, Fault::Kind::kRequirement);
 }
 
+// `leads` concerns runs without an end, too, whether they are allowed or not.
+TEST(EndlessTest, ResponsesAreSoughtInRunsThatNeverEnd) {
+  const auto findings = [](const std::string& then, EngineKind engine) {
+    return FindingsOf("//@ endless\n//@ leads: n == 1 -> " + then + '\n' + kForEver,
+                      {.engine = engine});
+  };
+  for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kStateful}) {
+    const Findings never = findings("n == 2", engine);
+    ASSERT_EQ(never.exploration.verdict, Verdict::kFailed) << EngineName(engine);
+    EXPECT_TRUE(never.exploration.failure->livelock) << EngineName(engine);
+    const Findings given = findings("n == 0", engine);
+    EXPECT_EQ(given.exploration.verdict, Verdict::kProved) << EngineName(engine);
+    const std::string claim = ClaimText(given, Language::kEnglish);
+    EXPECT_THAT(claim, HasSubstr("leads: no thread that can run waits for ever"));
+    EXPECT_THAT(claim, testing::Not(HasSubstr("leads: only runs that end")));
+  }
+  EXPECT_THAT(ClaimText(findings("n == 0", EngineKind::kBounded), Language::kEnglish),
+              HasSubstr("leads: only runs that end"));
+}
+
 // Such as those of a caller in Python.
 TEST(EndlessTest, RequirementsOnTheEndAreRefusedWhereverTheyComeFrom) {
   const auto compiled = compiler::CompileText("program.c", kForEver, {}, compiler::NoFiles());
