@@ -78,7 +78,7 @@ class CaseExploration {
                        "{0} 次随机运行不足以覆盖 {1} 种情形：每种情形至少需要一次", options_.runs,
                        cases_);
     }
-    ShowProgress(cases_);
+    ShowProgress();
     for (; search_.searched < cases_ && GoesOn(); ++search_.searched) {
       if (options_.progress != nullptr) options_.progress->cases_done = search_.searched;
       auto chosen =
@@ -93,10 +93,10 @@ class CaseExploration {
 
  private:
   /// An estimate of one case says nothing of the whole.
-  void ShowProgress(int64_t cases) {
+  void ShowProgress() {
     if (options_.progress == nullptr) return;
     options_.progress->estimates = false;
-    options_.progress->cases = cases;
+    options_.progress->cases = cases_;
   }
 
   bool GoesOn() const {
@@ -160,14 +160,10 @@ class CaseExploration {
     } else if (exploration.verdict == Verdict::kPassed) {
       exploration.why = {};
       if (exploration.bounded) exploration.why = DescribeBound(*exploration.bounded);
-      if (exploration.samples) {
-        exploration.why = DescribeSamples(*exploration.samples);
-      }
+      if (exploration.samples) exploration.why = DescribeSamples(*exploration.samples);
       BoundByHorizon(Horizon(exploration.horizon), &exploration);
     }
-    const bool good =
-        exploration.verdict == Verdict::kProved || exploration.verdict == Verdict::kPassed;
-    all_->untested = good ? untested_.Texts() : std::vector<Message>();
+    all_->untested = IsGood(exploration.verdict) ? untested_.Texts() : std::vector<Message>();
     all_->cases = std::move(search_);
   }
 

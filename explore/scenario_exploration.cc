@@ -70,9 +70,6 @@ std::vector<uint8_t> StepsOf(const Subject& subject, const vm::Schedule& schedul
   return steps;
 }
 
-/// True for a verdict that no schedule which was searched fails.
-bool IsGood(Verdict verdict) { return verdict == Verdict::kProved || verdict == Verdict::kPassed; }
-
 Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements, vm::Object object,
                                 const ExploreOptions& options) {

@@ -58,6 +58,11 @@ enum class Verdict : uint8_t {
 /// `PROVED`, `PASSED`, `FAILED`, `INCOMPLETE`.
 std::string_view VerdictName(Verdict verdict);
 
+/// True for a verdict that no schedule which was searched fails.
+constexpr bool IsGood(Verdict verdict) {
+  return verdict == Verdict::kProved || verdict == Verdict::kPassed;
+}
+
 struct ExploreOptions {
   EngineKind engine = EngineKind::kAuto;
   /// kAuto: where it is lower, traces are never counted without executing each.
