@@ -72,7 +72,7 @@ class CardSearch {
     result_.final_globals = globals_.size();
     result_.final_full = full_.size();
     const auto earliest = std::ranges::min_element(
-        waiting_, {}, [this](const auto& entry) { return model_.CycleOf(entry.second); });
+        waiting_, {}, [](const auto& entry) { return CardModel::CycleOf(entry.second); });
     if (earliest != waiting_.end()) result_.open = std::move(earliest->second);
     return std::move(result_);
   }

@@ -189,11 +189,10 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
 /// than this.
 constexpr uint32_t kStatesAlone = 500'000;
 
-/// Searches that graph. True: the search of traces is not needed, as a failure was found before;
-/// `states` then has the graph if it is all that is to be searched.
-bool SearchFewStates(const Problem& problem, const ExploreOptions& options, bool has_failure,
+/// Searches that graph. True: the search of traces is not needed, as the graph is small, has a
+/// failure, or the search was stopped; `states` then has it if it is all that is to be searched.
+bool SearchFewStates(const Problem& problem, const ExploreOptions& options,
                      std::optional<StateSearch>* states) {
-  if (has_failure) return true;
   StateLimits limits = StatesOf(options, StopOf(options));
   limits.states = std::min(limits.states, kStatesAlone);
   StateSearch few = SearchStates(problem, limits);
@@ -260,8 +259,7 @@ Message DescribeBound(const BoundedCounts& bounded) {
 
 Message DescribeLimits(const ExploreOptions& options) {
   return MakeMessage(
-      "a limit was reached: {0} executions, {1} states, or {2} statements in one "
-      "execution",
+      "a limit was reached: {0} executions, {1} states, or {2} statements in one execution",
       "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
       options.state_limit, options.depth_limit);
 }
@@ -293,8 +291,7 @@ std::optional<Message> WhyNotMerged(const Problem& problem) {
   return MakeMessage(
       "an assert names another thread's local or result, or more than {0} globals: statements that "
       "touch only locals cannot be merged",
-      "断言引用了其他线程的局部变量或返回值，或超过 {0} "
-      "个全局变量：不能合并只涉及局部变量的语句",
+      "断言引用了其他线程的局部变量或返回值，或超过 {0} 个全局变量：不能合并只涉及局部变量的语句",
       AccessSet::kCheckedMax);
 }
 
@@ -305,14 +302,14 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
         1, "only the graph of all states shows whether a race is benign: use the engine stateful",
         "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
   }
-  for (const BoundRequirement& requirement : problem.requirements) {
-    if (requirement.scope != Scope::kLeads) continue;
-    if (options.engine == EngineKind::kDpor) {
-      return MakeError(1,
-                       "'leads' concerns intermediate states, which the engine dpor skips: use the "
-                       "engine stateful",
-                       "“leads”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful 引擎");
-    }
+  const bool asks_for_responses =
+      std::ranges::find(problem.requirements, Scope::kLeads, &BoundRequirement::scope) !=
+      problem.requirements.end();
+  if (options.engine == EngineKind::kDpor && asks_for_responses) {
+    return MakeError(1,
+                     "'leads' concerns intermediate states, which the engine dpor skips: use the "
+                     "engine stateful",
+                     "“leads”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful 引擎");
   }
   const auto unmergeable = WhyNotMerged(problem);
   if (options.merge_private == true && unmergeable) return Error{1, *unmergeable};
@@ -344,9 +341,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
           "the engine dpor checks 'always' and 'never' that name at most {0} globals, and asserts "
           "that name these or locals of their own thread: for others and for 'eventually' use the "
           "engine stateful",
-          "dpor 引擎只检查引用不超过 {0} "
-          "个全局变量的“always”和“never”，以及只引用这些变量或自身线程"
-          "局部变量的断言：其他条件和“eventually”请使用 stateful 引擎",
+          "dpor 引擎只检查引用不超过 {0} 个全局变量的“always”和“never”，以及只引用这些变量或"
+          "自身线程局部变量的断言：其他条件和“eventually”请使用 stateful 引擎",
           AccessSet::kCheckedMax);
     }
     engine = EngineKind::kStateful;
@@ -371,7 +367,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
   }
   if (engine == EngineKind::kAuto && problem.HasInvariants() &&
-      SearchFewStates(problem, searched, look.found(), &states)) {
+      (look.found() || SearchFewStates(problem, searched, &states))) {
     engine = EngineKind::kStateful;
   }
   const bool paired = engine == EngineKind::kAuto;
@@ -448,8 +444,8 @@ std::optional<IslandProof> SearchIslands(const CardModel& model, const ExploreOp
 
 Reached ReachedAt(CardModel* model, const CardModel::State& state) {
   model->Load(state);
-  const vm::Machine& machine = model->controller().machine();
   const runtime::Controller& card = model->controller();
+  const vm::Machine& machine = card.machine();
   // The statements of a cycle are executed before the run can end with it.
   const int64_t complete = std::max<int64_t>(card.cycle() - 1, 0);
   Reached reached = {card.NowMs(), ToMs(card.clock().UsOf(complete)), {}};
