@@ -188,16 +188,14 @@ Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps,
 Failure ShrinkExecution(const Problem& problem, const std::vector<uint8_t>& steps,
                         const std::atomic<bool>* hurried) {
   ProgramWalk walk(problem);
-  Model end = problem.model;
   for (const uint8_t thread : steps) {
     walk.Step(thread);
     if (walk.fault()) return Shrink(problem, steps, hurried);
-    end.Step(thread);
   }
   Failure failure;
   failure.livelock = true;
   failure.steps = steps;
-  failure.cycle = EndlessWait(std::move(end));
+  failure.cycle = EndlessWait(walk.model());
   Model start = problem.model;
   failure.preemptions = CountPreemptions(&start, steps);
   return failure;

@@ -42,6 +42,8 @@ class ProgramWalk {
   StateKey EndKey() const { return model_.FinalKey(); }
   /// The current values.
   End EndNow() const { return EndOf(model_); }
+  /// The program in its current state.
+  const Model& model() const { return model_; }
   /// True if there are no requirements on results: the different ones are to be shown.
   bool asks_nothing() const { return problem_.requirements.empty(); }
   /// Whether the next statements of two threads access a common variable and one writes it.

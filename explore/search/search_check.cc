@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "explore/engines/waiting_loop.h"
@@ -117,15 +116,13 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
                           bool says_bad) {
   if (failing.empty() && !says_bad) return {};
   ProgramWalk walk(problem);
-  Model model = problem.model;
   for (size_t i = 0; i < failing.size() && !walk.fault(); ++i) {
     if (!CanStep(walk.choices(), failing[i])) {
       return NoSuchStep(fmt::format("failing[{}]", i), failing[i]);
     }
     walk.Step(failing[i]);
-    model.Step(failing[i]);
   }
-  const bool fails = walk.fault() || (!problem.may_last && !EndlessWait(std::move(model)).empty());
+  const bool fails = walk.fault() || (!problem.may_last && !EndlessWait(walk.model()).empty());
   if (fails && says_bad) return {};
   return MakeError(1, "failing: this run does not fail; explore again",
                    "failing：该运行没有出错；请重新探索");
