@@ -181,6 +181,29 @@ void LookForGuard(const BoundRequirement& bound, const Model& state) {
   if (bound.matters->Holds(state)) bound.mattered->store(true, std::memory_order_relaxed);
 }
 
+/// Lets the threads that execute a function check an assert of it, which is the requirement with
+/// this number. `bound` gets the condition, and its `reached` is set when one of them checks it.
+Result<void> AddAssert(const vm::Assert& assert, size_t function, int requirement,
+                       BoundRequirement* bound, Model* model) {
+  auto condition = runtime::ParseCondition(assert.condition);
+  if (!condition.ok()) return condition.error();
+  bound->property = Property::Of(condition.value());
+  for (int thread = 0; thread < model->thread_count(); ++thread) {
+    if (model->setup(thread).function != static_cast<int>(function)) continue;
+    auto property = Property::BindInThread(condition.value(), thread, *model);
+    if (!property.ok()) return property.error();
+    StatementCheck check = property.value().AsCheck(requirement, thread, *model);
+    check.holds = [holds = std::move(check.holds), reached = bound->reached](const Model& state) {
+      if (!reached->load(std::memory_order_relaxed)) {
+        reached->store(true, std::memory_order_relaxed);
+      }
+      return holds(state);
+    };
+    model->CheckBefore(thread, assert.position, std::move(check));
+  }
+  return {};
+}
+
 bool HasFunction(const vm::Object& object, const std::string& name) {
   for (const vm::Function& function : object.functions) {
     if (function.name == name) return true;
@@ -280,8 +303,7 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
 
 void AddAsserts(const std::string& program_path, Problem* problem,
                 runtime::ScenarioErrors* errors) {
-  Model& model = problem->model;
-  const vm::Object& object = model.image().object;
+  const vm::Object& object = problem->model.image().object;
   const std::vector<Requirement> asserts = runtime::AssertsOf(object, program_path);
   size_t number = 0;
   for (size_t function = 0; function < object.functions.size(); ++function) {
@@ -290,33 +312,11 @@ void AddAsserts(const std::string& program_path, Problem* problem,
       BoundRequirement bound = {.scope = Scope::kAssert,
                                 .at = written.at,
                                 .reached = std::make_shared<std::atomic<bool>>(false)};
-      std::optional<Message> wrong;
-      auto condition = runtime::ParseCondition(assert.condition);
-      if (condition.ok()) {
-        bound.property = Property::Of(condition.value());
-      } else {
-        wrong = condition.error().message;
-      }
-      for (int thread = 0; !wrong && thread < model.thread_count(); ++thread) {
-        if (model.setup(thread).function != static_cast<int>(function)) continue;
-        auto property = Property::BindInThread(condition.value(), thread, model);
-        if (!property.ok()) {
-          wrong = property.error().message;
-          break;
-        }
-        StatementCheck check =
-            property.value().AsCheck(static_cast<int>(problem->requirements.size()), thread, model);
-        check.holds = [holds = std::move(check.holds),
-                       reached = bound.reached](const Model& state) {
-          if (!reached->load(std::memory_order_relaxed)) {
-            reached->store(true, std::memory_order_relaxed);
-          }
-          return holds(state);
-        };
-        model.CheckBefore(thread, assert.position, std::move(check));
-      }
-      if (wrong) {
-        errors->AddText({}, fmt::format("{}: {}", written.at, written.Title()), *wrong);
+      const auto requirement = static_cast<int>(problem->requirements.size());
+      const auto added = AddAssert(assert, function, requirement, &bound, &problem->model);
+      if (!added.ok()) {
+        errors->AddText({}, fmt::format("{}: {}", written.at, written.Title()),
+                        added.error().message);
       }
       problem->requirements.push_back(std::move(bound));
     }
