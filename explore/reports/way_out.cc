@@ -113,7 +113,7 @@ WayOut WayOutOf(const Subject& subject, const Exploration& exploration,
     for (const BoundRequirement& bound : problem.requirements) {
       const bool of_states = bound.scope == Scope::kAlways || bound.scope == Scope::kNever;
       if (!of_states || (bound.mattered && !bound.mattered->load())) continue;
-      held.push_back(Requirement{bound.scope, bound.property.text()}.Title());
+      held.push_back(bound.AsRequirement().Title());
     }
     AddHeld(held, &way.reached);
     for (Message& untested : UntestedOf(problem)) way.reached.push_back(std::move(untested));
