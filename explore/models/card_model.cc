@@ -389,8 +389,8 @@ Race CardModel::NoteRaces(State* state, int thread) const {
 }
 
 void CardModel::NoteWait(State* state, int thread) const {
-  if (state->races == nullptr || !controller_->machine().thread(setup(thread).thread).waiting)
-    return;
+  const bool waits = controller_->machine().thread(setup(thread).thread).waiting;
+  if (state->races == nullptr || !waits) return;
   auto noted = std::make_shared<CardRaces>(*state->races);
   noted->AfterStatement(*controller_, thread);
   state->races = std::move(noted);
@@ -562,6 +562,7 @@ uint64_t CardModel::ConditionsOfReactions() const {
 
 void CardModel::RunBeside(const CardModel& whole) {
   others_end_runs_ = bounds_.kind_of_last() == runtime::RunOver::kLimit;
+  // How long a run lasts, and whether it matters what still moves then, is asked of all threads.
   last_instant_ = whole.last_instant_;
   watches_card_ = whole.watches_card_;
 }

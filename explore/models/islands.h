@@ -61,7 +61,8 @@ class Islands {
  public:
   /// Those of a model, as a run of it shows them. Empty if there is only one, or if what is said
   /// above does not hold: a thread waits for a variable or is periodic, a host or the surroundings
-  /// react, there is a bus, or a cycle has fewer statements than there are threads.
+  /// react, there is a bus, an axis operates a switch of another one, a cycle has fewer statements
+  /// than there are threads, or a run may last for ever without `until_ms`.
   static std::optional<Islands> Of(const CardModel& whole);
 
   const std::vector<Island>& all() const { return islands_; }
