@@ -57,9 +57,8 @@ runtime::Scenario Axes(size_t count) {
 }
 
 CardSearch SearchOf(const runtime::Scenario& scenario, const std::string& engine) {
-  char folder[] = "/tmp/oncard-bench-XXXXXX";
-  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
-  const std::string file = std::string(folder) + "/search.toml";
+  const std::string folder = NewFolder();
+  const std::string file = folder + "/search.toml";
   if (!WriteFileAtomically(file, runtime::FormatScenario(runtime::MoveScenario(scenario, file)))
            .ok()) {
     Fail("cannot write a scenario");

@@ -15,6 +15,7 @@
 
 #include "base/files.h"
 #include "bench/measure.h"
+#include "bench/tool.h"
 #include "compiler/compiler.h"
 #include "explore/engines/shrink.h"
 #include "explore/engines/trace_count.h"
@@ -194,10 +195,7 @@ class PromelaModel {
 /// SPIN's search program for an object, in a folder of its own.
 class SpinProgram {
  public:
-  SpinProgram(const vm::Object& object, SpinSearch search) {
-    char folder[] = "/tmp/oncard-bench-XXXXXX";
-    if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
-    folder_ = folder;
+  SpinProgram(const vm::Object& object, SpinSearch search) : folder_(NewFolder()) {
     if (!WriteFileAtomically(folder_ + "/model.pml", PromelaModel(object, search).Text()).ok()) {
       Fail("cannot write a model");
     }
@@ -321,9 +319,7 @@ void MeasureAuto(const char* name, const std::string& source, explore::EngineKin
 
 /// The same search as one process and as two at the same time.
 void MeasureShards(const std::string& source) {
-  char folder[] = "/tmp/oncard-bench-XXXXXX";
-  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
-  const std::string path = folder;
+  const std::string path = NewFolder();
   if (!WriteFileAtomically(path + "/p.c", source).ok()) Fail("cannot write a program");
   const auto seconds = [&](const std::string& command) {
     return Once([&] {

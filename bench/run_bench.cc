@@ -1,12 +1,9 @@
 // `oncard_bench run`: measures whole runs: a controller whose threads move axes, the scenarios of
 // all samples, and the command `oncard run` with and without a recording. Hosts are in
 // host_bench.cc.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -112,9 +109,8 @@ void BenchRun() {
     RunTool({"run", ONCARD_SAMPLES "/01_sum/one_thread.toml"});
   });
   std::printf("oncard run of the sum sample: %.1f ms wall\n", start * 1e3);
-  char folder[] = "/tmp/oncard-bench-XXXXXX";
-  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
-  const std::string file = std::string(folder) + "/recording.sched";
+  const std::string folder = NewFolder();
+  const std::string file = folder + "/recording.sched";
   MeasureRecording("oncard run, 8 threads, 8 axes, 100 s", {"run", ONCARD_KERNELS "/axes.toml"},
                    file);
   const std::vector<std::string> one = {

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 #include "bench/measure.h"
 
@@ -36,6 +37,12 @@ pid_t Start(std::vector<std::string> arguments, int out) {
 }
 
 }  // namespace
+
+std::string NewFolder() {
+  char folder[] = "/tmp/oncard-bench-XXXXXX";
+  if (::mkdtemp(folder) == nullptr) Fail("cannot make a folder");
+  return folder;
+}
 
 void RunTool(std::vector<std::string> arguments) {
   const std::string command = arguments.front();

@@ -6,6 +6,9 @@
 
 namespace oncard::bench {
 
+/// A new folder for files of a measurement, which removes it. Fail() if there can be none.
+std::string NewFolder();
+
 /// Runs `oncard` with these arguments; its output is of no interest. Fail() if it does not return
 /// 0.
 void RunTool(std::vector<std::string> arguments);
