@@ -251,14 +251,14 @@ TEST(ResponseSearch, AWaitingLoopAnswersOnlyIfItsThreadIsNotStarved) {
       "int a, b;\nint t0() {\n  int c;\n  a = 1;\nW:\n  c = b == 0;\n  if (c) goto W;\n  return "
       "0;\n"
       "}\nint t1() {\n  int c;\nW:\n  c = a == 0;\n  if (c) goto W;\n";
-  const Findings given = explore::FindingsOf(
-      "//@ leads: a == 1 -> b == 1\n" + threads + "  b = 1;\n  return 0;\n}\n", {});
+  const Findings given =
+      FindingsOf("//@ leads: a == 1 -> b == 1\n" + threads + "  b = 1;\n  return 0;\n}\n", {});
   EXPECT_EQ(given.exploration.verdict, Verdict::kProved);
   EXPECT_THAT(TextReport(given, Language::kEnglish, {}),
               HasSubstr("leads: no thread that can run waits for ever for its next statement"));
   // Without the answer both wait for ever: the report has the state since when, and the loop.
   const Findings never =
-      explore::FindingsOf("//@ leads: a == 1 -> b == 1\n" + threads + "  goto W;\n}\n", {});
+      FindingsOf("//@ leads: a == 1 -> b == 1\n" + threads + "  goto W;\n}\n", {});
   EXPECT_EQ(never.exploration.verdict, Verdict::kFailed);
   const std::string text = TextReport(never, Language::kEnglish, {});
   EXPECT_THAT(text, HasSubstr("leads: a == 1 -> b == 1 does not hold: 'a == 1' held after step "));
@@ -267,7 +267,7 @@ TEST(ResponseSearch, AWaitingLoopAnswersOnlyIfItsThreadIsNotStarved) {
 }
 
 TEST(ResponseSearch, AnEndWithoutTheRightSideIsShown) {
-  const Findings found = explore::FindingsOf(
+  const Findings found = FindingsOf(
       "int a, b;\n//@ leads: a == 1 -> b == 1\nint t0() {\n  b = 0;\n  a = 1;\n  return 0;\n}\n"
       "int t1() {\n  b = 1;\n  return 0;\n}\n",
       {});
@@ -521,9 +521,9 @@ TEST(ResponseSearch, RandomSchedulesAreFollowedToTheirEnds) {
 }
 
 TEST(ResponseSearch, AReportNamesBothStates) {
-  const Findings found = explore::FindingsOf(
-      "int a, b;\nint t0() {\n  a = 1;\n  GT_Delay(2);\n  b = 1;\n  return 0;\n}\n",
-      "within = [{ after = \"a == 1\", then = \"b == 1\", ms = 1.5 }]\n", {});
+  const Findings found =
+      FindingsOf("int a, b;\nint t0() {\n  a = 1;\n  GT_Delay(2);\n  b = 1;\n  return 0;\n}\n",
+                 "within = [{ after = \"a == 1\", then = \"b == 1\", ms = 1.5 }]\n", {});
   EXPECT_EQ(found.exploration.verdict, Verdict::kFailed);
   EXPECT_THAT(
       TextReport(found, Language::kEnglish, {}),
