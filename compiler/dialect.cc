@@ -10,14 +10,18 @@ bool WantsStructured(std::string_view text) {
   return line.starts_with(kToolComment) && Trim(line.substr(kToolComment.size())) == "structured";
 }
 
-bool IsAssertComment(std::string_view line) {
+std::optional<std::string_view> AssertConditionOf(std::string_view line) {
   constexpr std::string_view kWord = "assert";
   line = Trim(line);
-  if (!line.starts_with(kToolComment)) return false;
+  if (!line.starts_with(kToolComment)) return std::nullopt;
   line = Trim(line.substr(kToolComment.size()));
-  if (!line.starts_with(kWord)) return false;
-  return line.size() == kWord.size() ||
-         std::string_view(": \t").find(line[kWord.size()]) != std::string_view::npos;
+  if (!line.starts_with(kWord)) return std::nullopt;
+  line.remove_prefix(kWord.size());
+  const std::string_view rest = Trim(line);
+  if (rest.starts_with(':')) return Trim(rest.substr(1));
+  // `assert x` lacks its colon; `asserted` is another word.
+  if (rest.empty() || rest.size() < line.size()) return std::string_view();
+  return std::nullopt;
 }
 
 }  // namespace oncard::compiler

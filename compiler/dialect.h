@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "base/trim.h"
@@ -26,8 +27,9 @@ bool WantsStructured(std::string_view text);
 /// (explore/models/problem.h), and asserts.
 inline constexpr std::string_view kToolComment = "//@";
 
-/// True for a line `//@ assert`, with or without a condition.
-bool IsAssertComment(std::string_view line);
+/// The condition of a line `//@ assert: CONDITION`; empty for an assert that has none, nullopt for
+/// any other line.
+std::optional<std::string_view> AssertConditionOf(std::string_view line);
 
 /// Calls `visit` with the number and the text of every line that is a comment for a tool, asserts
 /// too. A first line `//@ structured` is for the compiler.
@@ -47,7 +49,7 @@ void ForEachCommentLine(std::string_view source, const Visit& visit) {
 template <typename Visit>
 void ForEachToolComment(std::string_view source, const Visit& visit) {
   ForEachCommentLine(source, [&visit](int number, std::string_view line) {
-    if (!IsAssertComment(line)) visit(number, line);
+    if (!AssertConditionOf(line)) visit(number, line);
   });
 }
 
@@ -55,9 +57,7 @@ void ForEachToolComment(std::string_view source, const Visit& visit) {
 template <typename Visit>
 void ForEachAssertComment(std::string_view source, const Visit& visit) {
   ForEachCommentLine(source, [&visit](int /*number*/, std::string_view line) {
-    if (!IsAssertComment(line)) return;
-    const size_t colon = std::min(line.find(':'), line.size() - 1);
-    visit(Trim(line), Trim(line.substr(colon + 1)));
+    if (const auto condition = AssertConditionOf(line)) visit(Trim(line), *condition);
   });
 }
 

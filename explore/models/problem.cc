@@ -262,7 +262,7 @@ Requirement BoundRequirement::AsRequirement() const {
 int FirstAssertLine(std::string_view source) {
   int first = 0;
   compiler::ForEachCommentLine(source, [&](int number, std::string_view line) {
-    if (first == 0 && compiler::IsAssertComment(line)) first = number;
+    if (first == 0 && compiler::AssertConditionOf(line)) first = number;
   });
   return first;
 }

@@ -5,6 +5,8 @@ int t0() {
   // expect error MP141 @6
   //@ assert:
   x = 2;
+  //@ assert x == 1: x < 3    // expect error MP141
+  x = 3;
   //@ assert: last == 0     // expect error MP141
 }
 //@ assert: between == 0    // expect error MP141
