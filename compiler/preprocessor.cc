@@ -36,6 +36,10 @@ bool SameBody(const MacroDefinition& a, const MacroDefinition& b) {
                     [](const Token& x, const Token& y) { return x.text == y.text; });
 }
 
+bool BeginsBefore(const SourceRange& a, const SourceRange& b) {
+  return std::tuple(a.file, a.begin) < std::tuple(b.file, b.begin);
+}
+
 }  // namespace
 
 void Preprocessor::Run(SourceFile program) {
@@ -388,18 +392,16 @@ void Preprocessor::Include(Line line, SourceRange whole, int depth) {
 
 // The lexer has looked at text that is not read, where anything may stand.
 void Preprocessor::DropReportsOfSkippedText() {
-  if (skipped_.empty()) return;
-  const auto before = [](const SourceRange& a, const SourceRange& b) {
-    return std::tuple(a.file, a.begin) < std::tuple(b.file, b.begin);
-  };
-  std::sort(skipped_.begin(), skipped_.end(), before);
-  std::erase_if(reporter_.diagnostics(), [&](const Diagnostic& diagnostic) {
-    const SourceRange& at = diagnostic.range;
-    const auto after = std::upper_bound(skipped_.begin(), skipped_.end(), at, before);
-    if (after == skipped_.begin()) return false;
-    const SourceRange& candidate = *(after - 1);
-    return candidate.file == at.file && at.begin < candidate.end;
-  });
+  std::sort(skipped_.begin(), skipped_.end(), BeginsBefore);
+  std::erase_if(reporter_.diagnostics(),
+                [this](const Diagnostic& diagnostic) { return IsSkipped(diagnostic.range); });
+}
+
+bool Preprocessor::IsSkipped(const SourceRange& place) const {
+  const auto after = std::upper_bound(skipped_.begin(), skipped_.end(), place, BeginsBefore);
+  if (after == skipped_.begin()) return false;
+  const SourceRange& candidate = *(after - 1);
+  return candidate.file == place.file && place.begin < candidate.end;
 }
 
 }  // namespace oncard::compiler

@@ -40,6 +40,8 @@ class Preprocessor {
   std::deque<SourceFile>& files() { return files_.files(); }
   std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
   MacroExpander& macros() { return macros_; }
+  /// After Run(): true for a place in text that is not read, such as behind `#if 0`.
+  bool IsSkipped(const SourceRange& place) const;
 
  private:
   // An #if that is not closed yet.
@@ -74,7 +76,7 @@ class Preprocessor {
   std::vector<Token> tokens_;
   std::vector<Conditional> conditionals_;
   SourceRange program_include_;       // the #include of the program that is being obeyed
-  std::vector<SourceRange> skipped_;  // text that is not read
+  std::vector<SourceRange> skipped_;  // text that is not read; after Run() in its order
   std::set<std::string> once_;        // files with #pragma once
 };
 

@@ -14,6 +14,10 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   files_ = std::move(preprocessor.files());
   inclusion_points_ = std::move(preprocessor.inclusion_points());
   macro_uses_ = std::move(preprocessor.macros().uses());
+  asserts_ = FindAsserts(files_);
+  std::erase_if(asserts_, [&preprocessor](const AssertComment& comment) {
+    return preprocessor.IsSkipped(comment.range);
+  });
   tokens_ = std::move(preprocessor.tokens());
   ParserDriver driver(tokens_, reporter, Dialect::kStructured);
   Parser parser(driver);

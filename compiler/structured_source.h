@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compiler/asserts.h"
 #include "compiler/compiler.h"
 #include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
@@ -42,6 +43,8 @@ class StructuredSource {
   /// should be said about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
   const MacroUses& macro_uses() const { return macro_uses_; }
+  /// Those in text that is read.
+  const std::vector<AssertComment>& asserts() const { return asserts_; }
   /// Adds to each diagnostic at the use of a macro where the macro is defined. Call once, when
   /// nothing more is reported.
   void AddMacroNotes(Reporter& reporter) const;
@@ -50,6 +53,7 @@ class StructuredSource {
   std::deque<SourceFile> files_;
   std::vector<uint32_t> inclusion_points_;
   MacroUses macro_uses_;
+  std::vector<AssertComment> asserts_;
   std::vector<Token> tokens_;
   std::unordered_set<std::string_view> skipped_names_;
   Tree tree_;

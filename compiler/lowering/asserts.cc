@@ -79,8 +79,8 @@ std::optional<int64_t> TakeIndex(std::string_view* text) {
 
 }  // namespace
 
-void Lowerer::PlaceAsserts(const Tree& tree) {
-  for (AssertComment& comment : FindAsserts(files_)) {
+void Lowerer::PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& asserts) {
+  for (const AssertComment& comment : asserts) {
     const auto around = std::ranges::find_if(tree.items, [&comment](const StatementPtr& item) {
       if (item->kind != Kind::kFunction || item->function->prototype) return false;
       SourceRange body = item->function->header;
@@ -93,7 +93,7 @@ void Lowerer::PlaceAsserts(const Tree& tree) {
     if (behind == nullptr || comment.condition.empty()) {
       ReportAssert(comment, in_function, reporter_);
     } else {
-      asserts_[behind].push_back(std::move(comment));
+      asserts_[behind].push_back(comment);
     }
   }
 }

@@ -103,8 +103,9 @@ class Lowerer {
   Lowerer(const Lowerer&) = delete;
   Lowerer& operator=(const Lowerer&) = delete;
 
-  /// Translates a whole program. The result is valid only if no error was reported.
-  Program Lower(const Tree& tree);
+  /// Translates a whole program with its asserts. The result is valid only if no error was
+  /// reported.
+  Program Lower(const Tree& tree, const std::vector<AssertComment>& asserts);
 
  protected:
   struct FunctionInfo {
@@ -244,7 +245,7 @@ class Lowerer {
   void LowerSwitch(const Statement& statement);
 
   // --- asserts.cc ---
-  void PlaceAsserts(const Tree& tree);
+  void PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& asserts);
   bool HasAssert(const Statement& statement) const;
   static int64_t NamedElement(const Symbol& symbol, std::string_view* indices);
   void EmitAsserts(const Statement& statement);

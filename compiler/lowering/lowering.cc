@@ -75,7 +75,7 @@ void MoveLines(SourceRange header, const std::deque<SourceFile>& files,
 }
 
 // Reports the asserts that no function of the card has, which could never fail.
-void CheckAsserts(const lowering::Program& program, const std::deque<SourceFile>& files,
+void CheckAsserts(const lowering::Program& program, const std::vector<AssertComment>& asserts,
                   Reporter& reporter) {
   std::set<std::pair<int, uint32_t>> kept;
   for (const lowering::LoweredFunction& function : program.functions) {
@@ -86,7 +86,7 @@ void CheckAsserts(const lowering::Program& program, const std::deque<SourceFile>
       kept.emplace(comment.file, comment.begin);
     }
   }
-  for (const AssertComment& comment : FindAsserts(files)) {
+  for (const AssertComment& comment : asserts) {
     if (kept.contains({comment.range.file, comment.range.begin})) continue;
     reporter.Report(Code::kMisplacedAssert, comment.range,
                     MakeMessage("stands before a statement that no thread can reach",
@@ -121,7 +121,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   if (!reporter.HasErrors()) {
     lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
                                                   reporter, lowering_options.optimize)
-                                    .Lower(source.tree());
+                                    .Lower(source.tree(), source.asserts());
     result.tried_statements = program.tried_statements;
     if (!reporter.HasErrors()) {
       const auto taken = lowering::SharedNames(program);
@@ -136,7 +136,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
       }
       result.global_slots = lowering::GlobalSlots(program);
       lowering::CheckLimits(program, result.costs, reporter);
-      CheckAsserts(program, source.files(), reporter);
+      CheckAsserts(program, source.asserts(), reporter);
     }
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed =

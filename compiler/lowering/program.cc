@@ -168,7 +168,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   return function;
 }
 
-Program Lowerer::Lower(const Tree& tree) {
+Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asserts) {
   scopes_.emplace_back();
   for (const std::string_view word : kReserved) global_names_.Reserve(word);
   for (const StatementPtr& item : tree.items) {
@@ -192,7 +192,7 @@ Program Lowerer::Lower(const Tree& tree) {
     if (info.mark == 0) recurses |= Recurses(info, path);
   }
   if (recurses) return std::move(program_);
-  PlaceAsserts(tree);
+  PlaceAsserts(tree, asserts);
   for (FunctionInfo& info : functions_) {
     if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);
   }

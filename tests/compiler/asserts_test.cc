@@ -97,6 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
          "axis1.moving == 0 (axis1.moving == 0)"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(StructuredAssertsTest, AreNoneInTextThatIsNotRead) {
+  EXPECT_THAT(AssertsIn("#if 0\n  //@ assert: g == 1\n  g = 2;\n#else\n"
+                        "  //@ assert: g == 3\n  g = 4;\n#endif\n"),
+              ElementsAre("g == 3 (g == 3; g: g)"));
+}
+
 // A function as text of the card, without its remarks. An assert is the reason of no warning.
 std::string LoweredText(const std::string& body) {
   const Lowering lowering =
