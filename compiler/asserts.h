@@ -1,8 +1,10 @@
 // Comments `//@ assert: CONDITION`: which statement each of them stands before. What the condition
-// means is not known here (runtime/scenario/run/asserts.h). Tested by tests/lang/asserts.
+// means is not known here (runtime/scenario/run/assert_watch.h). Tested by
+// tests/compiler/asserts_test.cc and tests/lang/asserts.
 #pragma once
 
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "compiler/flow_warnings.h"

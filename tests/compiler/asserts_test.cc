@@ -2,7 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "compiler/compiler.h"
+#include "compiler/lowering/lowering.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::compiler {
@@ -57,7 +63,8 @@ TEST(AssertsTest, DoNotChangeTheProgram) {
 
 // --- Structured C ---
 
-/// `x < 3 (i < kLimit; x: i)`: the conditions of a function, as written, and its names.
+/// `m[5] < 3 (m[1][2] < 3; m[5]: m[1][2])`: the conditions of a function, each as it was written,
+/// and its names.
 std::vector<std::string> AssertsIn(const std::string& body) {
   const vm::Object object =
       Compiled("//@ structured\nint g, h, m[2][3];\nenum { kLow = -1 };\nint t0(int p) {\n" + body +

@@ -44,8 +44,9 @@ std::unordered_set<std::string_view> SharedNames(const Program& program);
 void ShareTemporaries(const std::unordered_set<std::string_view>& taken, Program& program,
                       LoweredFunction& function);
 
-/// Gives a jump to the next statement to an assert that has no statement before the next label or
-/// the end of the function: who comes from elsewhere does not pass the assert.
+/// Gives an assert without a statement of its own before the next label a jump to that label: who
+/// comes from elsewhere does not pass the assert. At the end of a function the printer adds a
+/// statement.
 void GiveStatementsToAsserts(LoweredFunction& function);
 
 /// All optimising passes until nothing changes.

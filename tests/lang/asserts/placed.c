@@ -1,6 +1,6 @@
 // expect ok
 //@ never: x == 7
-// An assert is one whatever its case of blanks; another word is not for the compiler.
+// Blanks do not matter; what begins with another word is not for the compiler.
 //@ asserted: x
 int x;
 int t0() {
