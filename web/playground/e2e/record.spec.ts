@@ -1,8 +1,8 @@
-// Records of hosts in the page: the module for them is loaded with the first one.
+// Records of hosts in the page: the module with everything is loaded with the first one.
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { atMaximum, expectAccessible, open, openOwn, status } from "./support.js";
+import { atMaximum, expectAccessible, modulesOf, open, openOwn, status } from "./support.js";
 
 /** A host that lets two axes of a path card draw a line; no card has its state at the end. */
 const line = [
@@ -24,15 +24,6 @@ async function choose(page: Page, text: string): Promise<void> {
   await page
     .locator("input[type=file]")
     .setInputFiles({ name: "line.calls", mimeType: "text/plain", buffer: Buffer.from(text) });
-}
-
-function modulesOf(page: Page): string[] {
-  const modules: string[] = [];
-  page.on("request", (request) => {
-    const file = new URL(request.url()).pathname.split("/").at(-1) ?? "";
-    if (file.endsWith(".wasm")) modules.push(file);
-  });
-  return modules;
 }
 
 test("a record of a GE card moves its axes, and the program comes back", async ({ page }) => {

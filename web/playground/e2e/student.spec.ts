@@ -6,6 +6,7 @@ import {
   atMaximum,
   editor,
   expectAccessible,
+  modulesOf,
   open,
   openOwn,
   runUnpowered,
@@ -186,10 +187,12 @@ test("the interleaving can be chosen", async ({ page }) => {
 });
 
 test("a task is solved, and the progress stays", async ({ page }) => {
+  const modules = modulesOf(page);
   await open(page);
   await page.getByRole("button", { name: "Check" }).click();
   const verdict = page.locator(".verdict");
   await expect(verdict).toContainText("Not yet. This does not hold:");
+  expect(modules).toEqual(["oncard.wasm"]); // a run needs no other one
   const program = await text(page);
   await write(page, program.replace("answer = 42", "answer = number + number"));
   await page.getByRole("button", { name: "Check" }).click();

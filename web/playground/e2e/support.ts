@@ -22,6 +22,16 @@ export async function open(page: Page, address = ""): Promise<void> {
   await expect(status(page)).toHaveText(/Card ready|控制卡就绪/);
 }
 
+/** The files of the modules that the page asks for from now on. */
+export function modulesOf(page: Page): string[] {
+  const modules: string[] = [];
+  page.on("request", (request) => {
+    const file = new URL(request.url()).pathname.split("/").at(-1) ?? "";
+    if (file.endsWith(".wasm")) modules.push(file);
+  });
+  return modules;
+}
+
 export function status(page: Page): Locator {
   return page.locator(".status-text");
 }

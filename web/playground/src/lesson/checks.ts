@@ -1,12 +1,12 @@
-// Whether the open program solves its task, and what an exploration finds. Both run in an engine of
-// their own, so that the session stays alive, and ending it stops them.
+// Whether the open program solves its task, and what an exploration finds. Runs have an engine of
+// their own, and so have explorations: the session stays alive, and ending an engine stops them.
 
 import type { Engine, ExploreAnswer, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
 import { computed } from "@preact/signals";
 
 import { bench } from "../session/bench.js";
-import { startModule } from "../session/engines.js";
+import { type Purpose, startModule } from "../session/engines.js";
 import { forgetRecord } from "../session/record.js";
 import { markSolved } from "../store/lessons.js";
 import { settings } from "../store/settings.js";
@@ -37,14 +37,15 @@ export const isSolvedNow = computed(() => {
   return value.kind === "explored" && value.exploration.report?.verdict === "PROVED";
 });
 
-let engine: Promise<Engine> | undefined;
+const engines = new Map<Purpose, Promise<Engine>>();
 let asked = 0;
 
-async function prover(): Promise<Engine> {
-  engine ??= startModule("explorations");
+async function engineFor(purpose: Purpose): Promise<Engine> {
+  const engine = engines.get(purpose) ?? startModule(purpose);
+  engines.set(purpose, engine);
   const started = await engine;
   started.onEnded = () => {
-    engine = undefined;
+    engines.delete(purpose);
   };
   await started.hello(settings.language.peek());
   return started;
@@ -52,15 +53,16 @@ async function prover(): Promise<Engine> {
 
 async function judged(
   what: "check" | "explore",
+  purpose: Purpose,
   judge: (engine: Engine) => Promise<Verdict>,
 ): Promise<Verdict> {
   const number = ++asked;
   say({ kind: "busy", what });
   let found: Verdict;
   try {
-    found = await judge(await prover());
+    found = await judge(await engineFor(purpose));
   } catch (error) {
-    if (!(error instanceof RefusedError)) engine = undefined;
+    if (!(error instanceof RefusedError)) engines.delete(purpose);
     found = { kind: "refused", message: error instanceof Error ? error.message : String(error) };
   }
   if (number === asked) say(found);
@@ -70,7 +72,8 @@ async function judged(
 /** Searches all interleavings; a failing run is then on the card. */
 export async function explore(isCheck = false): Promise<void> {
   const explored = source.project.peek();
-  const found = await judged(isCheck ? "check" : "explore", async (started) => {
+  const what = isCheck ? "check" : "explore";
+  const found = await judged(what, "explorations", async (started) => {
     const exploration = await started.explore(explored, settings.language.peek());
     if (!exploration.compiled) return { kind: "not-compiled" };
     return { kind: "explored", exploration, isCheck };
@@ -86,7 +89,7 @@ export async function checkTask(): Promise<void> {
   const { id, task } = source.lesson.peek();
   if (task === "explore") await explore(true);
   else {
-    await judged("check", async (started) => {
+    await judged("check", "programs", async (started) => {
       const { run } = await started.run(source.project.peek());
       return run ? { kind: "run", run } : { kind: "not-compiled" };
     });
@@ -97,10 +100,12 @@ export async function checkTask(): Promise<void> {
 /** Ends a check or an exploration. */
 export function stopCheck(): void {
   ++asked;
-  void engine?.then((started) => {
-    started.close();
-  });
-  engine = undefined;
+  for (const engine of engines.values()) {
+    void engine.then((started) => {
+      started.close();
+    });
+  }
+  engines.clear();
   say({ kind: "stopped" });
 }
 

@@ -42,7 +42,7 @@ async function compiledModule(purpose: Purpose): Promise<WebAssembly.Module> {
  * A new engine in a worker of its own. Whatever it computes, closing it ends that at once.
  * @throws the module cannot be fetched or compiled
  */
-export async function startModule(purpose: Purpose = "programs"): Promise<Engine> {
+export async function startModule(purpose: Purpose): Promise<Engine> {
   const compiled = await compiledModule(purpose);
   const worker = new Worker(new URL("worker.js", document.baseURI));
   return new Engine(new WorkerTransport(worker, compiled));
