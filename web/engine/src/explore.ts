@@ -5,7 +5,12 @@ import type { Compiled, Language, Project } from "./protocol.js";
 
 export interface ExploreAnswer extends Compiled {
   /** What `oncard explore --format=json` prints; missing if the program was not compiled. */
-  report?: { verdict: "PROVED" | "PASSED" | "FAILED" | "INCOMPLETE"; culprit?: string };
+  report?: {
+    verdict: "PROVED" | "PASSED" | "FAILED" | "INCOMPLETE";
+    /** Of a failure in a scenario that leaves something open. */
+    choice?: string;
+    culprit?: string;
+  };
   /** The report for people. */
   text?: string;
   /** If something fails: a schedule file beside `main` that repeats it. */

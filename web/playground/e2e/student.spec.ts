@@ -186,6 +186,25 @@ test("the interleaving can be chosen", async ({ page }) => {
   await expect(executed(1).nth(3)).toHaveText("2");
 });
 
+test("exploring names the case of what a scenario leaves open", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(
+    page,
+    "int n;\nint sum;\nint add()\n{\n  int copy;\n  copy = sum;\n  sum = copy + n;\n}\n",
+  );
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(
+    page,
+    'program = "program.c"\nglobals = { n = { any = [0, 3] } }\nfinal = ["sum == 2 * n"]\n' +
+      '[[thread]]\nfunction = "add"\n[[thread]]\nthread = 1\nfunction = "add"\n',
+  );
+  await page.getByRole("button", { name: "Explore" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("choice: n = 1");
+  await expect(verdict.locator(".culprit")).toContainText(/thread \d wrote .* over thread/);
+});
+
 test("a task is solved, and the progress stays", async ({ page }) => {
   const modules = modulesOf(page);
   await open(page);

@@ -74,7 +74,9 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
   return (
     <>
       <p class={isGood ? "good" : "bad"}>{isTask ? t.proved : e.verdicts[report.verdict]}</p>
-      {report.verdict === "FAILED" && <Culprit text={text} />}
+      {report.verdict === "FAILED" && (
+        <Culprit text={text} hasChoice={report.choice !== undefined} />
+      )}
       {schedule !== undefined && <p>{e.opened}</p>}
       <details>
         <summary>{e.report}</summary>
@@ -86,14 +88,15 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
   );
 }
 
-/** The paragraph of the report that says what does not hold and which step caused it. */
-function Culprit({ text }: { text: string }) {
+/** What the report says does not hold, in which case of its choices, and which step caused it. */
+function Culprit({ text, hasChoice }: { text: string; hasChoice: boolean }) {
   const paragraph = text.split("\n\n")[1] ?? "";
-  const lines = paragraph.split("\n").slice(0, 2);
+  const culprit = hasChoice ? 2 : 1;
+  const lines = paragraph.split("\n").slice(0, culprit + 1);
   return (
     <>
       {lines.map((line, index) => (
-        <p key={line} class={index === 1 ? "culprit" : ""}>
+        <p key={line} class={index === culprit ? "culprit" : ""}>
           {line}
         </p>
       ))}
