@@ -38,10 +38,13 @@ export async function ran(engine: Engine, main: string): Promise<Outcome> {
   return outcomeOf(async () => described(await engine.run({ main })));
 }
 
-/** The lines of a run: what does not hold, and the values at the end. */
+/** The lines of a run: which case it was, what does not hold, and the values at the end. */
 export function described({ diagnostics, run }: RunAnswer): Outcome {
   const lines = diagnostics.map(headline);
   if (!run) return { passed: false, lines };
+  if (run.choice !== undefined) {
+    lines.push(say({ en: `choice: ${run.choice}`, zh: `选择：${run.choice}` }));
+  }
   lines.push(...run.warnings);
   for (const { expectation, message } of run.failures) {
     lines.push(expectation ? `${expectation}: ${message}` : message);

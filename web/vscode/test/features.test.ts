@@ -142,6 +142,14 @@ describe("commands", () => {
     expect(editor.shown).toContain("passed");
   });
 
+  test("run says which case it takes of what is left open", async () => {
+    activate();
+    const program = join(newFolder(), "p.c");
+    writeFileSync(program, "int n;\n//@ input: n = 3..9\nint t0()\n{\n  return n;\n}\n");
+    await execute("oncard.run", Uri.file(program));
+    expect(editor.shown).toContain("choice: n = 3");
+  });
+
   test("a program runs with the scenario that names it", async () => {
     activate();
     await execute("oncard.debug", Uri.file(sample("26_lost_update/sum.c")));
