@@ -174,6 +174,18 @@ INSTANTIATE_TEST_SUITE_P(
                     "the choices have 1002000 cases together, and there can be 1000000; n: 2000, "
                     "m: 501"}));
 
+TEST(Choices, ThereAreAtMostAHundred) {
+  const auto open = [](int count) {
+    std::string scenario;
+    for (int i = 0; i < count; ++i) {
+      scenario += "globals.n" + std::to_string(i) + " = { any = [0, 0] }\n";
+    }
+    return scenario;
+  };
+  EXPECT_EQ(RefusalOf(open(100)), "");
+  EXPECT_THAT(RefusalOf(open(101)), HasSubstr("there are 101 choices, and there can be 100"));
+}
+
 // --- Runs ----------------------------------------------------------------------------------------
 
 constexpr const char* kOpenCount =
