@@ -1,6 +1,6 @@
 // Bundles the command and packs it: everything that it needs is inside.
-//   node build.mjs MODULE RECORDS FOLDER   makes FOLDER/oncard-VERSION.tgz from the compiled packages,
-//                                          oncard-cli.wasm and oncard-full.wasm
+//   node build.mjs MODULE FULL FOLDER   makes FOLDER/oncard-VERSION.tgz from the compiled packages,
+//                                       oncard-cli.wasm and oncard-full.wasm
 // Prints the name of the file. Tested by test/package.test.ts.
 
 import { execFileSync } from "node:child_process";

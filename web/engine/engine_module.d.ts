@@ -6,7 +6,7 @@ export class ModuleError extends Error {}
 export class EngineModule {
   /** @param instance one of the module, which has not been used yet */
   constructor(module: WebAssembly.Module, instance: WebAssembly.Instance);
-  /** @param bytes the content of oncard.wasm */
+  /** @param bytes the content of the module's file */
   static create(bytes: Uint8Array | ArrayBuffer): Promise<EngineModule>;
   /** The version of oncard. */
   get version(): string;

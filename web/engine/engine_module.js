@@ -1,5 +1,6 @@
-// The module oncard.wasm as a class, for Node 18 or later, pages and Web Workers. It imports
-// nothing: its answers depend on its requests alone. web/README.md describes requests and answers.
+// A module, oncard.wasm or oncard-full.wasm, as a class, for Node 18 or later, pages and Web
+// Workers. It imports nothing: its answers depend on its requests alone. web/README.md describes
+// requests and answers.
 // Tested by tests/web/module_test.mjs.
 
 const utf8Encoder = new TextEncoder();
@@ -24,7 +25,7 @@ export class EngineModule {
   }
 
   /**
-   * @param {BufferSource} bytes the content of oncard.wasm
+   * @param {BufferSource} bytes the content of the module's file
    * @returns {Promise<EngineModule>}
    */
   static async create(bytes) {

@@ -1,5 +1,5 @@
 // Bundles the extension and packs it: everything that it needs is inside.
-//   node build.mjs MODULE TARGET     makes TARGET from the compiled packages and oncard.wasm
+//   node build.mjs MODULE TARGET     makes TARGET from the compiled packages and oncard-full.wasm
 // The same tree gives the same bytes. Tested by test/package.test.ts.
 
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -42,6 +42,7 @@ const { metafile } = await build({
   logLevel: "warning",
 });
 
+// The extension also explores, and reads records of hosts.
 copyFileSync(module, join(stage, "dist/oncard.wasm"));
 for (const folder of ["snippets", "syntaxes"]) {
   cpSync(join(here, folder), join(stage, folder), { recursive: true });

@@ -16,7 +16,7 @@ export async function textOnDisk(path: string): Promise<string | undefined> {
   }
 }
 
-/** An engine in this process. @param path of oncard.wasm */
+/** An engine in this process. @param path of a module */
 export async function openModule(path: string): Promise<Engine> {
   const engine = new Engine(new ModuleTransport(await EngineModule.create(await readFile(path))));
   engine.supply = textOnDisk;

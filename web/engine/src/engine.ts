@@ -124,7 +124,7 @@ export class Engine {
   run(project: Project, show: string[] = []): Promise<RunAnswer> {
     return this.#requestWithFiles("run", { ...project, show });
   }
-  /** Searches all interleavings; only the module answers this. */
+  /** Searches all interleavings; only oncard-full.wasm answers this. */
   explore(project: Project, language?: Language): Promise<ExploreAnswer> {
     return this.#requestWithFiles("explore", { ...project, language });
   }

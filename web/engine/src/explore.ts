@@ -1,4 +1,4 @@
-// The request that only the module answers, as web/README.md describes it; the others are in
+// The request that only oncard-full.wasm answers, as web/README.md describes it; the others are in
 // protocol.ts.
 
 import type { Compiled, Language, Project } from "./protocol.js";

@@ -14,7 +14,7 @@ const exitExhausted = 6;
 
 async function main(): Promise<void> {
   const path = process.argv[2];
-  if (path === undefined) throw new Error("the path of oncard.wasm is missing");
+  if (path === undefined) throw new Error("the path of the module is missing");
   const module = await EngineModule.create(readFileSync(path));
   const decoder = new StringDecoder("utf8");
   let begun = "";
