@@ -62,7 +62,7 @@ Result<void> CheckSettings(const SearchWish& wish, explore::EngineKind engine) {
     const auto found = std::ranges::find(settings, known.option, &Setting::option);
     const bool given = found != settings.end()
                            ? found->value.has_value()
-                           : known.option == "--merge-private" && wish.merge_private;
+                           : known.option == "--merge-private" && wish.merge_private.has_value();
     if (!given || known.UsedBy(name)) continue;
     return Error{1, runtime::DescribeUnusedSetting(known, ArgumentName(known.option), name)};
   }
