@@ -1,7 +1,13 @@
 #!/usr/bin/env bash
-# start_wine.sh WINESERVER [ARGUMENTS]: makes the folder of Wine, and starts its server, which stays for a
-# minute after its last program: one that ends sooner refuses a program that begins at that moment.
+# start_wine.sh WINESERVER [ARGUMENTS]: makes the folder of Wine, and starts its server, which stays until
+# end_wine.sh. One that ends by itself after its last program can refuse or end a program that begins at
+# that moment. What Wine says is in a file of that folder: its services keep the streams that they are given.
 set -euo pipefail
+here=$(dirname "$0")
 mkdir -p "$WINEPREFIX"
-"$@" --persistent=60 >/dev/null 2>&1 || [ $? -eq 2 ] # 2: one is there already
-exec "$(dirname "$0")/under_wine.sh" wineboot --init
+"$here/end_wine.sh" "$@"
+{
+  "$here/under_wine.sh" wineboot --init
+  "$@" --wait
+  "$@" --persistent
+} >"$WINEPREFIX/start.log" 2>&1 </dev/null
