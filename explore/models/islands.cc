@@ -110,10 +110,8 @@ bool Islands::AddAsserts(const CardModel& whole) {
   for (int i = 0; i < whole.thread_count(); ++i) {
     const ThreadSetup& setup = whole.setup(i);
     for (const vm::Assert& assert : object.functions[static_cast<size_t>(setup.function)].asserts) {
-      auto condition = runtime::ParseCondition(assert.condition);
-      if (!condition.ok()) return false;
-      const auto bound = runtime::CardCondition::BindInThread(std::move(condition).value(),
-                                                              setup.thread, whole.controller());
+      const auto bound =
+          runtime::CardCondition::ReadInThread(assert.condition, setup.thread, whole.controller());
       if (!bound.ok()) return false;
       for (const runtime::Quantity& quantity : bound.value().quantities()) {
         AddAccesses(runtime::LastingAccessOf(quantity, whole.controller()),
@@ -152,10 +150,7 @@ bool Islands::AddPart(Part part, const CardModel& whole) {
   part.lasts = part.requirement.scope == Scope::kWithin;
   for (const std::string* side : {&part.requirement.text, &part.requirement.then}) {
     if (side->empty()) continue;
-    auto condition = runtime::ParseCondition(*side);
-    if (!condition.ok()) return false;
-    const auto bound =
-        runtime::CardCondition::Bind(std::move(condition).value(), whole.controller());
+    const auto bound = runtime::CardCondition::Read(*side, whole.controller());
     if (!bound.ok()) return false;
     for (const runtime::Quantity& quantity : bound.value().quantities()) {
       part.lasts = part.lasts || !runtime::IsOfProgram(quantity.kind);

@@ -152,9 +152,7 @@ Message DescribeValues(const Requirement& requirement, const runtime::Controller
 
 /// The present values of the right side of a response.
 Message DescribeRightSide(const Requirement& response, const runtime::Controller& controller) {
-  auto condition = runtime::ParseCondition(response.then);
-  if (!condition.ok()) return {};
-  const auto bound = runtime::CardCondition::Bind(std::move(condition).value(), controller);
+  const auto bound = runtime::CardCondition::Read(response.then, controller);
   return bound.ok() ? bound.value().DescribeValues(controller) : Message();
 }
 
