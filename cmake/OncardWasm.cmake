@@ -21,7 +21,7 @@ function(oncard_module_link target)
     ${ARGN} LINKER:--strip-all LINKER:--stack-first LINKER:-z,stack-size=4194304)
   # What the linker leaves is made smaller by another 5 %.
   add_custom_command(TARGET ${target} POST_BUILD
-    COMMAND ${WASM_OPT_EXECUTABLE} -Oz --converge --enable-tail-call --enable-sign-ext
+    COMMAND ${WASM_OPT_EXECUTABLE} -Oz --enable-tail-call --enable-sign-ext
             --enable-mutable-globals $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>
     VERBATIM)
 endfunction()
