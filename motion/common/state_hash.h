@@ -8,6 +8,7 @@
 // Members that are not listed are not part of the hash; kFieldsComplete<T> says at compile time
 // whether an aggregate's list is as long as the aggregate. A structure with a function in_use()
 // joins the hash only while that is true: what a card does not use does not change its hash.
+// StateWords has the same values as words, for other hashes.
 #pragma once
 
 // The state's layout, so that it can be a member.
@@ -29,82 +30,123 @@
 
 namespace oncard::motion {
 
-class StateHash {
+/// What adds the values of a state as words of 64 bits, in their order, to a `Sink`, which derives
+/// from it and has AddWord(uint64_t).
+template <typename Sink>
+class StateValues {
  public:
-  StateHash() { XXH64_reset(&state_, 0); }
-
-  /// Adds an integer, bool or enumerator as 64 bits, least significant byte first.
+  /// Adds an integer, bool or enumerator as 64 bits.
   template <typename T>
-  requires std::is_integral_v<T> || std::is_enum_v<T> StateHash& Add(T value) {
+  requires std::is_integral_v<T> || std::is_enum_v<T> Sink& Add(T value) {
     // NOLINTNEXTLINE(bugprone-signed-char-misuse): an int8_t is a number here
-    const auto bits = static_cast<uint64_t>(value);
-    unsigned char bytes[8];
-    for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<unsigned char>(bits >> (8 * i));
-    XXH64_update(&state_, bytes, sizeof bytes);
-    return *this;
+    self().AddWord(static_cast<uint64_t>(value));
+    return self();
   }
   /// Adds the bits of a double.
-  StateHash& Add(double value) { return Add(std::bit_cast<uint64_t>(value)); }
+  Sink& Add(double value) { return Add(std::bit_cast<uint64_t>(value)); }
 
   /// Adds the elements, preceded by their number if it can vary.
   template <typename T, size_t kSize>
-  StateHash& Add(const std::array<T, kSize>& values) {
+  Sink& Add(const std::array<T, kSize>& values) {
     for (const T& value : values) Add(value);
-    return *this;
+    return self();
   }
   template <typename T>
-  StateHash& Add(const std::vector<T>& values) {
+  Sink& Add(const std::vector<T>& values) {
     return Add(std::span(values));
   }
   template <typename T>
-  StateHash& Add(std::span<const T> values) {
+  Sink& Add(std::span<const T> values) {
     Add(values.size());
     for (const T& value : values) Add(value);
-    return *this;
+    return self();
   }
   template <typename T>
-  StateHash& Add(const std::optional<T>& value) {
+  Sink& Add(const std::optional<T>& value) {
     Add(value.has_value());
     if (value.has_value()) Add(*value);
-    return *this;
+    return self();
   }
   /// Adds the alternative, preceded by its number.
   template <typename... T>
-  StateHash& Add(const std::variant<T...>& value) {
+  Sink& Add(const std::variant<T...>& value) {
     Add(value.index());
     std::visit([this](const auto& alternative) { this->Add(alternative); }, value);
-    return *this;
+    return self();
   }
   /// Adds the value that the pointer points to.
   template <typename T>
-  StateHash& Add(const std::shared_ptr<const T>& value) {
+  Sink& Add(const std::shared_ptr<const T>& value) {
     Add(value != nullptr);
     if (value != nullptr) Add(*value);
-    return *this;
+    return self();
   }
 
   /// Adds the part of a card that has it, and nothing otherwise.
   template <typename T>
-  StateHash& Add(const Rare<T>& part) {
+  Sink& Add(const Rare<T>& part) {
     if (part) Add(*part);
-    return *this;
+    return self();
   }
 
   /// Adds the members that a structure lists; nothing if the structure says that it is not in use.
   template <typename T>
   requires requires(const T& value) { value.Fields(); }
-  StateHash& Add(const T& value) {
+  Sink& Add(const T& value) {
     if constexpr (requires { value.in_use(); }) {
-      if (!value.in_use()) return *this;
+      if (!value.in_use()) return self();
     }
     std::apply([this](const auto&... fields) { (this->Add(fields), ...); }, value.Fields());
-    return *this;
+    return self();
   }
 
-  uint64_t value() const { return XXH64_digest(&state_); }
+ private:
+  friend Sink;
+  StateValues() = default;
+
+  Sink& self() { return static_cast<Sink&>(*this); }
+};
+
+/// XXH64 of their bytes.
+class StateHash : public StateValues<StateHash> {
+ public:
+  StateHash() { XXH64_reset(&state_, 0); }
+
+  /// Adds its bytes, the least significant one first.
+  void AddWord(uint64_t word) {
+    unsigned char* bytes = waiting_.data() + count_;
+    for (unsigned i = 0; i < kWordBytes; ++i)
+      bytes[i] = static_cast<unsigned char>(word >> (8 * i));
+    count_ += kWordBytes;
+    if (count_ < waiting_.size()) return;
+    XXH64_update(&state_, waiting_.data(), count_);
+    count_ = 0;
+  }
+
+  uint64_t value() const {
+    XXH64_state_t all = state_;
+    XXH64_update(&all, waiting_.data(), count_);
+    return XXH64_digest(&all);
+  }
 
  private:
+  static constexpr size_t kWordBytes = 8;
+
   XXH64_state_t state_;
+  /// Words that are added together, which is faster.
+  std::array<unsigned char, 128 * kWordBytes> waiting_{};
+  size_t count_ = 0;
+};
+
+/// The words themselves.
+class StateWords : public StateValues<StateWords> {
+ public:
+  void AddWord(uint64_t word) { words_.push_back(word); }
+  void Clear() { words_.clear(); }
+  const std::vector<uint64_t>& words() const { return words_; }
+
+ private:
+  std::vector<uint64_t> words_;
 };
 
 namespace internal {
