@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <map>
 #include <optional>
 
@@ -182,6 +183,40 @@ Supervisor::History& Supervisor::Present() { return Own(&history_); }
 Supervisor::Found& Supervisor::PresentFound() { return Own(&found_); }
 
 void Supervisor::Reset() { history_ = std::make_shared<History>(); }
+
+void Supervisor::AddTo(const HistoryPointer& history, std::vector<int64_t>* words) {
+  const auto add_site = [&](const CallSite& site) {
+    words->insert(words->end(), {static_cast<int64_t>(site.program), site.caller, site.function,
+                                 site.instruction, site.command});
+    for (const double value : site.values) words->push_back(std::bit_cast<int64_t>(value));
+  };
+  const auto& [profiles, overruns, set_up, velocity_set] = *history;
+  for (const auto& [waiting, left_out, started, stop, stopped_us] : profiles) {
+    add_site(waiting);
+    add_site(left_out);
+    add_site(started);
+    words->push_back(stop.has_value());
+    if (!stop) continue;
+    const auto& [kind, item, value, bound] = *stop;
+    words->insert(words->end(), {static_cast<int64_t>(kind), static_cast<int64_t>(item),
+                                 std::bit_cast<int64_t>(value), std::bit_cast<int64_t>(bound)});
+    words->push_back(stopped_us);
+  }
+  for (const auto& [last_start, missed] : overruns) {
+    words->insert(words->end(), {last_start, missed});
+  }
+  words->insert(words->end(), {set_up, velocity_set});
+}
+
+uint32_t Supervisor::AwaitedProfiles(const HistoryPointer& history) {
+  uint32_t awaited = 0;
+  uint32_t bit = 1;
+  for (const History::Profile& profile : history->profiles) {
+    if (profile.set_up.known()) awaited |= bit;
+    bit <<= 1;
+  }
+  return awaited;
+}
 
 // --- Places --------------------------------------------------------------------------------------
 

@@ -62,6 +62,15 @@ class Supervisor final : public CardObserver {
   /// What it remembers of the present run, to be put back with a state of the card.
   HistoryPointer history() const { return history_; }
   void PutBack(HistoryPointer history) { history_ = std::move(history); }
+  /// What it remembers as numbers: equal ones for what it cannot tell apart.
+  static void AddTo(const HistoryPointer& history, std::vector<int64_t>* words);
+  /// The profiles of which it remembers that values are set, but not taken over: a start of others
+  /// looks at them. Bit 0 is the first one.
+  static uint32_t AwaitedProfiles(const HistoryPointer& history);
+  /// True if it looks at these when the command is executed.
+  bool LooksAround(const gtcalls::Command& command) const {
+    return KindOf(command).role == gtcalls::MotionRole::kCommit;
+  }
   /// What it has found up to now, to be put back likewise.
   FoundPointer found() const { return found_; }
   void PutBack(FoundPointer found) { found_ = std::move(found); }

@@ -6,6 +6,8 @@
 
 #include <set>
 
+#include "runtime/scenario/run/scenario_card.h"
+#include "runtime/scenario/run/scenario_start.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -502,6 +504,39 @@ TEST(CardWarnings, HaveNamesOfTheirOwnAndTextsInBothLanguages) {
       EXPECT_NE(text, "") << info.name;
     }
   }
+}
+
+// --- What it remembers ---------------------------------------------------------------------------
+
+/// What it remembers after so many cycles of a program that executes one statement in each.
+struct Memory {
+  std::vector<int64_t> words;
+  uint32_t awaited = 0;
+};
+Memory MemoryAfter(const std::string& statements, int cycles) {
+  const Scenario scenario = ScenarioForTest("rate = 4\n");
+  Controller card(CardOptions(scenario));
+  EXPECT_TRUE(StartScenario(scenario, CompileForTest(Program(statements)), &card).ok());
+  const Supervisor supervisor(&card);
+  card.RunCycles(cycles);
+  Memory memory;
+  Supervisor::AddTo(supervisor.history(), &memory.words);
+  memory.awaited = Supervisor::AwaitedProfiles(supervisor.history());
+  return memory;
+}
+
+TEST(SupervisorMemory, SaysWhatItCanTellApart) {
+  const std::string moves =
+      "  GT_PrfTrap(2);\n  GT_SetVel(2, 10);\n  GT_SetPos(2, 100);\n  GT_Update(2);\n";
+  const Memory none = MemoryAfter(moves, 1);
+  EXPECT_EQ(none.words, MemoryAfter(moves, 1).words);
+  EXPECT_EQ(none.awaited, 0u);
+  const Memory set_up = MemoryAfter(moves, 3);
+  EXPECT_NE(set_up.words, none.words);
+  EXPECT_EQ(set_up.awaited, 2u);
+  const Memory started = MemoryAfter(moves, 4);
+  EXPECT_NE(started.words, set_up.words);
+  EXPECT_EQ(started.awaited, 0u);
 }
 
 }  // namespace
