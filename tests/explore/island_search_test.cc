@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "explore/engines/card_graph.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
+#include "random_machine.h"
 
 namespace oncard::explore {
 namespace {
@@ -116,140 +116,13 @@ TEST(IslandSearch, SmallProgramsAreSearchedAsAWhole) {
 
 // --- Beside the search of all states -------------------------------------------------------------
 
-/// Two or three threads, most of which use things of their own only.
-class RandomIslands {
- public:
-  explicit RandomIslands(uint64_t seed) : random_(seed), threads_(2 + Draw(2)) {
-    source_ = "int g[4];\n";
-    for (int thread = 0; thread < threads_; ++thread) AddThread(thread);
-    AddKeys();
-  }
-
-  const std::string& source() const { return source_; }
-  const std::string& keys() const { return keys_; }
-
- private:
-  int Draw(int count) { return static_cast<int>(random_() % static_cast<uint64_t>(count)); }
-  /// Seldom that of another thread.
-  int ThingOf(int thread) { return Draw(14) == 0 ? Draw(threads_) : thread; }
-
-  void AddThread(int thread) {
-    source_ += fmt::format("int t{}() {{\n  int n;\n  int time;\n  double p;\n", thread);
-    const int count = 2 + Draw(4);
-    for (int i = 0; i < count; ++i) AddStatement(thread, i);
-    source_ += fmt::format("  return {};\n}}\n", Draw(2));
-  }
-
-  void AddStatement(int thread, int number) {
-    const int own = ThingOf(thread);
-    const int bit = 1 << own;
-    switch (Draw(9)) {
-      case 0:
-        source_ += fmt::format("  g[{}] = {};\n", own, Draw(3));
-        break;
-      case 1:
-        source_ += fmt::format("  n = g[{0}];\n  g[{0}] = n + 1;\n", own);
-        break;
-      case 2:
-        source_ += fmt::format("  GT_SetDoBit(12, {}, {});\n", own + 1, Draw(2));
-        break;
-      case 3:
-        source_ += fmt::format("  GT_Delay({});\n", 1 + Draw(2));
-        break;
-      case 4:
-      case 5:
-        source_ += fmt::format("  GT_PrfJog({0});\n  GT_SetVel({0}, {1});\n  GT_Update({2});\n",
-                               own + 1, 1 + Draw(20), bit);
-        break;
-      case 6:
-        source_ += fmt::format("  GT_Stop({}, {});\n", bit, Draw(2) * bit);
-        break;
-      case 7:
-        source_ += fmt::format(
-            "L{0}:\n  GT_GetPrfPos({1}, &p, 1, &time);\n  n = p > {2};\n  if (n) goto E{0};\n  "
-            "GT_GetSts({1}, &n, 1, &time);\n"
-            "  n = n & 1024;\n  if (n) goto L{0};\nE{0}:\n",
-            number, own + 1, Draw(3));
-        break;
-      default:
-        source_ += fmt::format("  GT_GetDi(4, &n);\n  n = n & 1;\n  g[{}] = n;\n", own);
-        break;
-    }
-  }
-
-  std::string Condition() {
-    const int of = Draw(threads_);
-    switch (Draw(9)) {
-      case 0:
-        return fmt::format("g[{}] < {}", of, 1 + Draw(4));
-      case 1:
-        return fmt::format("axis{}.prfPos < {}", of + 1, 1 + Draw(8));
-      case 2:
-        return fmt::format("axis{}.moving == 0", of + 1);
-      case 3:
-        return fmt::format("gpo[{}] == {}", of + 1, Draw(2));
-      case 4:
-        return fmt::format("clock < {}", 2 + Draw(4));
-      case 5:
-        return fmt::format("ret{} == {}", of, Draw(2));
-      case 6:
-        return fmt::format("page{}.n < {}", of, 1 + Draw(3));
-      case 7:
-        return fmt::format("(g[{}] == {} || clock < {})", of, Draw(3), 1 + Draw(3));
-      default:
-        return fmt::format("(axis{}.prfVel < {} || g[{}] > 0)", of + 1, 1 + Draw(9),
-                           Draw(10) == 0 ? Draw(threads_) : of);
-    }
-  }
-
-  void AddKeys() {
-    keys_ = fmt::format("rate = {}\n", 12 + 4 * Draw(3));
-    keys_ += Draw(3) == 0 ? fmt::format("until_ms = {}\n", 3 + Draw(2)) : "limit_ms = 8\n";
-    if (Draw(4) == 0) keys_ += "races = \"none\"\n";
-    const int first = Draw(6);
-    for (int kind = first; kind < first + 2; ++kind) {
-      switch (kind % 6) {
-        case 0:
-          keys_ += fmt::format("final = [\"{} && {}\"]\n", Condition(), Condition());
-          break;
-        case 1:
-          keys_ += fmt::format("always = [\"{}\"]\n", Condition());
-          break;
-        case 2:
-          keys_ += fmt::format("never = [\"!{}\"]\n", "(" + Condition() + ")");
-          break;
-        case 3:
-          keys_ += fmt::format("eventually = [\"{}\"]\n", Condition());
-          break;
-        case 4:
-          keys_ +=
-              fmt::format("within = [{{ after = \"gpo[{0}] == 0\", then = \"{1}\", ms = {2} }}]\n",
-                          1 + Draw(threads_), Condition(), Draw(3));
-          break;
-        default:
-          keys_ += fmt::format("expect = [\"{} && {} @ {}ms\"]\n", Condition(), Condition(),
-                               1 + Draw(2));
-          break;
-      }
-    }
-    if (Draw(2) == 0) {
-      keys_ += "[[world.input]]\nat_ms = 0.5\ntype = \"gpi\"\nindex = 1\nvalue = 1\n";
-    }
-  }
-
-  std::mt19937_64 random_;
-  int threads_;
-  std::string source_;
-  std::string keys_;
-};
-
 TEST(IslandSearch, ProvesNothingThatFails) {
   constexpr uint64_t kPrograms = 60;
   constexpr uint32_t kStates = 60'000;
   int proofs = 0;
   int failures = 0;
   for (uint64_t seed = 1; seed <= kPrograms; ++seed) {
-    const RandomIslands card(seed);
+    const RandomMachine card(seed);
     SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
     CardModel whole = CardOf(card.source(), card.keys());
     const CardGraph graph = BuildCardGraph(&whole, {.states = kStates, .states_after_bad = 0});
