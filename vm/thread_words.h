@@ -9,8 +9,10 @@
 namespace oncard::vm {
 
 inline constexpr size_t kThreadWordCount = 24;
+/// The last ones are counts of statements, which do not influence the future.
+inline constexpr size_t kCountWords = 2;
 
-/// The complete state of a thread; the two counts of statements come last.
+/// The complete state of a thread.
 std::array<int64_t, kThreadWordCount> WordsOf(const ThreadState& thread);
 
 }  // namespace oncard::vm

@@ -1,12 +1,11 @@
 #include "explore/models/card_model.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <bit>
 #include <utility>
 
 #include "base/milliseconds.h"
+#include "explore/models/word_key.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/run/scenario_card.h"
@@ -32,10 +31,6 @@ namespace {
 
 using vm::ThreadState;
 
-/// The number of words at the end of WordsOf() that do not influence the future: counts of
-/// statements.
-constexpr size_t kCountWords = 2;
-
 /// True for a statement that may change the card outside the machine.
 bool ChangesBody(const vm::Instruction& instruction, const gtcalls::Catalogue& catalogue) {
   if (instruction.opcode != vm::Opcode::kCommand) return false;
@@ -60,11 +55,6 @@ std::vector<int64_t> GlobalsOf(const CardModel::State& state) {
   std::vector<int64_t> globals(packed.begin(), packed.end());
   globals.resize(vm::kSlotCount);
   return globals;
-}
-
-StateKey KeyOfWords(const std::vector<int64_t>& words) {
-  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size() * sizeof words[0]);
-  return {hash.low64, hash.high64};
 }
 
 }  // namespace
@@ -683,7 +673,7 @@ StateKey CardModel::KeyOf(const State& state) const {
     if (thread.run == vm::ThreadRun::kUnbound) continue;
     words_.push_back(static_cast<int64_t>(number));
     const auto of_thread = vm::WordsOf(thread);
-    words_.insert(words_.end(), of_thread.begin(), of_thread.end() - kCountWords);
+    words_.insert(words_.end(), of_thread.begin(), of_thread.end() - vm::kCountWords);
   }
   words_.insert(words_.end(), {static_cast<int64_t>(state.body->hash), state.left,
                                static_cast<int64_t>(state.served), state.ended, state.reached,

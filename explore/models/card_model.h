@@ -169,6 +169,7 @@ class CardModel {
   StateKey FinalKey(const State& state) const;
 
  private:
+  friend class CardRows;
   struct BoundRequirement {
     Requirement requirement;
     runtime::CardCondition condition;

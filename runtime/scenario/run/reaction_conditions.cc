@@ -25,6 +25,15 @@ Reactions::Look ReactionConditions::LookAt(const Controller& controller) {
   return look;
 }
 
+std::vector<CardCondition> ConditionsOfReactions(const World& world, const Controller& controller) {
+  std::vector<CardCondition> conditions;
+  for (const InputReaction& reaction : world.reactions) {
+    auto bound = CardCondition::Read(reaction.when, controller);
+    if (bound.ok()) conditions.push_back(std::move(bound).value());
+  }
+  return conditions;
+}
+
 void CheckReactions(const Scenario& scenario, const Controller& controller, uint64_t known,
                     const Message& prefix, ScenarioErrors* errors) {
   const std::vector<InputReaction>& reactions = scenario.world.reactions;

@@ -29,6 +29,9 @@ class ReactionConditions {
   std::vector<std::optional<CardCondition>> conditions_;  ///< empty: names do not exist
 };
 
+/// Those whose names exist now.
+std::vector<CardCondition> ConditionsOfReactions(const World& world, const Controller& controller);
+
 /// Adds an error for each condition with a name that the card, with its program, does not have now,
 /// except for those in `known`, one bit each; `prefix` comes before the reason.
 void CheckReactions(const Scenario& scenario, const Controller& controller, uint64_t known,

@@ -1,0 +1,361 @@
+#include "explore/models/card_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <utility>
+
+#include "explore/models/word_key.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/scenario/run/reaction_conditions.h"
+#include "vm/thread_words.h"
+
+namespace oncard::explore {
+namespace {
+
+using runtime::BodyDivision;
+using vm::ThreadState;
+
+/// Without the zeros at the end.
+std::vector<int64_t> Trimmed(const std::array<int64_t, vm::kSlotCount>& slots) {
+  size_t count = slots.size();
+  while (count > 0 && slots[count - 1] == 0) --count;
+  return {slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Where the globals end in what CardRows keeps of them.
+template <typename Words>
+auto EndOfGlobals(Words& words) {
+  return words.begin() + static_cast<std::ptrdiff_t>(1 + words.front());
+}
+
+void Fill(std::span<const int64_t> values, std::array<int64_t, vm::kSlotCount>* slots) {
+  const auto rest = std::copy(values.begin(), values.end(), slots->begin());
+  std::fill(rest, slots->end(), 0);
+}
+
+/// True if a condition names how many statements have been executed, which is no part of a state.
+bool CountsStatements(const runtime::CardCondition& condition) {
+  return std::ranges::any_of(condition.quantities(), [](const runtime::Quantity& quantity) {
+    return quantity.kind == runtime::QuantityKind::kStatements ||
+           quantity.kind == runtime::QuantityKind::kThreadStatements;
+  });
+}
+
+}  // namespace
+
+bool CardRows::Possible(const CardModel& model) {
+  if (model.host_ != nullptr || model.races_ != nullptr) return false;
+  for (const CardModel::BoundRequirement& bound : model.requirements_) {
+    if (CountsStatements(bound.condition) || (bound.then && CountsStatements(*bound.then))) {
+      return false;
+    }
+  }
+  return std::ranges::none_of(
+      runtime::ConditionsOfReactions(model.scenario_.world, *model.controller_), CountsStatements);
+}
+
+CardRows::CardRows(CardModel* model)
+    : model_(*model),
+      card_(*model->controller_),
+      division_(card_.motion().axis_count()),
+      body_parts_(division_.part_count()),
+      machine_(std::make_unique<vm::MachineState>(*model->scratch_)),
+      body_(card_.Body()),
+      body_numbers_(division_.part_count(), ~uint32_t{0}) {
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const ThreadState& thread = machine_->threads[static_cast<size_t>(number)];
+    if (thread.run != vm::ThreadRun::kUnbound) numbers_.push_back(number);
+  }
+  for (const ThreadSetup& setup : model->setups_) {
+    const auto found = std::ranges::find(numbers_, setup.thread);
+    places_.push_back(static_cast<size_t>(found - numbers_.begin()));
+  }
+}
+
+// --- Numbers of parts ----------------------------------------------------------------------------
+
+uint32_t CardRows::NumberOfThread(size_t place) {
+  const vm::MachineState& machine = card_.machine().state();
+  const ThreadState& state = machine.threads[static_cast<size_t>(numbers_[place])];
+  // When it starts again depends on more than itself.
+  if (state.period_cycles != 0) exact_ = false;
+  std::vector<int64_t> page = Trimmed(machine.pages[state.page]);
+  const auto words = vm::WordsOf(state);
+  key_.assign(words.begin(), words.end() - vm::kCountWords);
+  key_.insert(key_.end(), page.begin(), page.end());
+  return threads_.NumberOf(KeyOfWords(key_), [&] {
+    const vm::Function& function = model_.image_->object.functions[state.function];
+    const bool runs = state.run == vm::ThreadRun::kRunning;
+    const bool at_end = runs && state.pc >= function.instructions.size();
+    return Thread{state, std::move(page), at_end};
+  });
+}
+
+uint32_t CardRows::NumberOfGlobals() {
+  const vm::MachineState& machine = card_.machine().state();
+  std::vector<int64_t> words = Trimmed(machine.globals);
+  words.insert(words.begin(), static_cast<int64_t>(words.size()));
+  // The pages of no thread.
+  uint32_t pages = machine.pages.used();
+  for (const int number : numbers_) {
+    pages &= ~(1u << machine.threads[static_cast<size_t>(number)].page);
+  }
+  for (; pages != 0; pages &= pages - 1) {
+    const int number = std::countr_zero(pages);
+    const std::vector<int64_t> page = Trimmed(machine.pages[static_cast<size_t>(number)]);
+    if (page.empty()) continue;
+    words.insert(words.end(), {number, static_cast<int64_t>(page.size())});
+    words.insert(words.end(), page.begin(), page.end());
+  }
+  return NumberOfWords(std::move(words));
+}
+
+uint32_t CardRows::NumberOfWords(std::vector<int64_t> globals) {
+  return globals_.NumberOf(KeyOfWords(globals), [&] { return std::move(globals); });
+}
+
+uint32_t CardRows::NumberOfParts(std::vector<uint32_t> parts) {
+  return bodies_.NumberOf(KeyOfWords(parts), [&] {
+    Body body = {std::move(parts), 0, true};
+    division_.Put(body_parts_[BodyDivision::kClock][body.parts[BodyDivision::kClock]].value,
+                  BodyDivision::kClock, &body_);
+    body_numbers_[BodyDivision::kClock] = body.parts[BodyDivision::kClock];
+    body.cycle = body_.motion.cycle;
+    for (size_t part = 0; part < body.parts.size(); ++part) {
+      body.apart = body.apart && body_parts_[part][body.parts[part]].apart;
+    }
+    return body;
+  });
+}
+
+uint32_t CardRows::NumberOfBody() {
+  const runtime::CardBody body = card_.Body();
+  // Instants are those of the clock with which the card has begun.
+  if (body.clock) exact_ = false;
+  std::vector<uint32_t> parts;
+  for (size_t part = 0; part < division_.part_count(); ++part) {
+    words_.Clear();
+    division_.AddValues(body, part, &words_);
+    parts.push_back(body_parts_[part].NumberOf(KeyOfWords(words_.words()), [&] {
+      return BodyPart{division_.PartOf(body, part), division_.LeavesAxesApart(body, part)};
+    }));
+  }
+  return NumberOfParts(std::move(parts));
+}
+
+uint32_t CardRows::NumberOfHistory() {
+  runtime::Supervisor::HistoryPointer history = model_.supervisor_->history();
+  key_.clear();
+  runtime::Supervisor::AddTo(history, &key_);
+  return histories_.NumberOf(KeyOfWords(key_), [&] { return std::move(history); });
+}
+
+void CardRows::WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row) {
+  std::vector<int64_t> words = globals_[GlobalsNumber(*row)];
+  // What is behind the globals stays there.
+  for (const GlobalWrite& write : writes) {
+    const int64_t missing = int64_t{write.slot} + 1 - words.front();
+    if (missing > 0) {
+      words.insert(EndOfGlobals(words), static_cast<size_t>(missing), 0);
+      words.front() += missing;
+    }
+    words[write.slot + 1] = write.value;
+  }
+  while (words.front() > 0 && words[static_cast<size_t>(words.front())] == 0) {
+    words.erase(EndOfGlobals(words) - 1);
+    --words.front();
+  }
+  row->parts[thread_count()] = NumberOfWords(std::move(words));
+}
+
+std::vector<CardRows::GlobalWrite> CardRows::Differences(uint32_t before, uint32_t after,
+                                                         bool* others) const {
+  const std::vector<int64_t>& one = globals_[before];
+  const std::vector<int64_t>& two = globals_[after];
+  const auto value = [](const std::vector<int64_t>& words, uint32_t slot) {
+    return slot < words.front() ? words[slot + 1] : 0;
+  };
+  std::vector<GlobalWrite> writes;
+  for (uint32_t slot = 0; slot < std::max(one.front(), two.front()); ++slot) {
+    if (value(one, slot) != value(two, slot)) writes.push_back({slot, value(two, slot)});
+  }
+  *others = !std::equal(EndOfGlobals(one), one.end(), EndOfGlobals(two), two.end());
+  return writes;
+}
+
+void CardRows::SetBodyParts(const std::vector<std::pair<size_t, uint32_t>>& parts, Row* row) {
+  std::vector<uint32_t> numbers = BodyOf(*row).parts;
+  for (const auto& [part, number] : parts) numbers[part] = number;
+  SetBody(NumberOfParts(std::move(numbers)), row);
+}
+
+void CardRows::SetProgress(Progress progress, Row* row) {
+  key_.assign({progress.left, progress.served, progress.reached, progress.ended,
+               static_cast<int64_t>(progress.fault)});
+  for (const runtime::Owed& owed : progress.owed) key_.push_back(owed.pending ? owed.due_ns : -1);
+  row->parts.resize(thread_count() + 3);
+  row->parts.back() = progresses_.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
+}
+
+// --- Between rows and the card -------------------------------------------------------------------
+
+void CardRows::LoadMachine(const Row& row) {
+  vm::MachineState& machine = *machine_;
+  const std::vector<int64_t>& globals = globals_[GlobalsNumber(row)];
+  std::span<const int64_t> words = std::span(globals).subspan(1);
+  Fill(words.first(static_cast<size_t>(globals.front())), &machine.globals);
+  words = words.subspan(static_cast<size_t>(globals.front()));
+  uint32_t other_pages = machine.pages.used();
+  while (!words.empty()) {
+    const auto page = static_cast<size_t>(words[0]);
+    const auto count = static_cast<size_t>(words[1]);
+    Fill(words.subspan(2, count), &machine.pages.Use(page));
+    other_pages &= ~(1u << page);
+    words = words.subspan(2 + count);
+  }
+  for (size_t place = 0; place < thread_count(); ++place) {
+    const Thread& thread = ThreadOf(row, place);
+    machine.threads[static_cast<size_t>(numbers_[place])] = thread.state;
+    Fill(thread.page, &machine.pages.Use(thread.state.page));
+    other_pages &= ~(1u << thread.state.page);
+  }
+  for (; other_pages != 0; other_pages &= other_pages - 1) {
+    machine.pages.Use(static_cast<size_t>(std::countr_zero(other_pages))).fill(0);
+  }
+  machine.cycle = CycleOf(row);
+  machine.executed = 0;
+  card_.machine().Restore(machine);
+  model_.supervisor_->PutBack(HistoryOf(row));
+  model_.held_ = nullptr;
+}
+
+void CardRows::Load(const Row& row) {
+  LoadMachine(row);
+  const Body& body = BodyOf(row);
+  for (size_t part = 0; part < body.parts.size(); ++part) {
+    if (body_numbers_[part] == body.parts[part]) continue;
+    division_.Put(body_parts_[part][body.parts[part]].value, part, &body_);
+    body_numbers_[part] = body.parts[part];
+  }
+  card_.RestoreBody(body_);
+}
+
+CardModel::State CardRows::StateFor(const Row& row) const {
+  const Progress& progress = ProgressOf(row);
+  CardModel::State state;
+  state.left = progress.left;
+  state.served = progress.served;
+  state.reached = progress.reached;
+  state.ended = progress.ended;
+  state.finished = row.finished;
+  state.owed = progress.owed;
+  state.fault = row.fault;
+  return state;
+}
+
+CardRows::Row CardRows::RowOfCard(const CardModel::State& state) {
+  const auto& threads = card_.machine().state().threads;
+  const auto bound = std::ranges::count_if(
+      threads, [](const ThreadState& each) { return each.run != vm::ThreadRun::kUnbound; });
+  if (static_cast<size_t>(bound) != thread_count()) exact_ = false;
+  Row row;
+  for (size_t place = 0; place < thread_count(); ++place) {
+    row.parts.push_back(NumberOfThread(place));
+  }
+  row.parts.push_back(NumberOfGlobals());
+  row.parts.push_back(NumberOfBody());
+  row.history = NumberOfHistory();
+  row.finished = state.finished;
+  row.fault = state.fault;
+  SetProgress({state.left, state.served, state.reached, state.ended, state.fault.kind, state.owed},
+              &row);
+  return row;
+}
+
+CardModel::State CardRows::Program(const Row& row) {
+  LoadMachine(row);
+  CardModel::State state;
+  state.variables.Pack(*machine_);
+  state.threads = machine_->threads;
+  return state;
+}
+
+CardModel::State CardRows::Whole(const Row& row) {
+  Load(row);
+  CardModel::State state = StateFor(row);
+  state.choices = ChoicesOf(row);
+  model_.Save(&state);
+  return state;
+}
+
+StateKey CardRows::KeyOf(const Row& row) { return KeyOfWords(row.parts); }
+
+// --- What can come next --------------------------------------------------------------------------
+
+int64_t CardRows::ValueOf(const Row& row, uint32_t slot) const {
+  const std::vector<int64_t>& globals = globals_[GlobalsNumber(row)];
+  return static_cast<int64_t>(slot) < globals.front() ? globals[slot + 1] : 0;
+}
+
+bool CardRows::CanContinue(const Row& row, size_t place) const {
+  const ThreadState& thread = ThreadOf(row, place).state;
+  if (thread.run != vm::ThreadRun::kRunning || thread.wake_cycle > CycleOf(row)) return false;
+  if (!thread.waiting) return true;
+  const vm::SlotAddress& slot = thread.wait_slot;
+  int64_t raw = 0;
+  if (slot.global) {
+    raw = ValueOf(row, slot.id);
+  } else {
+    for (size_t other = 0; other < thread_count(); ++other) {
+      const Thread& holder = ThreadOf(row, other);
+      if (holder.state.page == slot.page && slot.id < holder.page.size()) {
+        raw = holder.page[slot.id];
+      }
+    }
+  }
+  if (slot.type != vm::DataType::kDouble) raw = static_cast<int32_t>(raw);
+  return raw == thread.wait_value;
+}
+
+uint32_t CardRows::Runnable(const Row& row) const {
+  uint32_t runnable = 0;
+  for (size_t place = 0; place < thread_count(); ++place) {
+    if (CanContinue(row, place)) runnable |= 1u << numbers_[place];
+  }
+  return runnable;
+}
+
+bool CardRows::SomeoneFinishes(const Row& row) const {
+  for (size_t place = 0; place < thread_count(); ++place) {
+    const Thread& thread = ThreadOf(row, place);
+    const bool slept = thread.state.wake_cycle != 0 || thread.state.waiting;
+    if (thread.at_end && slept && CanContinue(row, place)) return true;
+  }
+  return false;
+}
+
+uint32_t CardRows::ChoicesOf(const Row& row) const {
+  const Progress& progress = ProgressOf(row);
+  if (progress.ended || row.finished) return 0;
+  const uint32_t runnable = Runnable(row);
+  const uint32_t unserved = runnable & ~progress.served;
+  const uint32_t candidates = std::popcount(unserved) >= progress.left ? unserved : runnable;
+  uint32_t choices = 0;
+  for (size_t i = 0; i < places_.size(); ++i) {
+    if ((candidates >> numbers_[places_[i]] & 1) != 0) choices |= 1u << i;
+  }
+  return choices;
+}
+
+bool CardRows::MayEndCycle(const Row& row) const {
+  const Progress& progress = ProgressOf(row);
+  const uint32_t choices = ChoicesOf(row);
+  for (size_t i = 0; i < places_.size(); ++i) {
+    const bool can_run = (choices >> i & 1) != 0;
+    if (can_run && (progress.served >> numbers_[places_[i]] & 1) == 0) return false;
+  }
+  return true;
+}
+
+}  // namespace oncard::explore

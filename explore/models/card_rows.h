@@ -1,0 +1,164 @@
+// The states of a card with its program (card_model.h) as rows of numbers: a number for what each
+// thread is, with its page, one for the globals, one for the body of the card, and one for the
+// progress of the cycle and of the requirements. Equal parts have equal numbers, so that two rows
+// are equal exactly if CardModel::KeyOf() is.
+//
+// Not every model has rows: with a recorded host, where the past decides races, or where a
+// condition counts statements, states are whole ones.
+//
+// Deterministic; not thread-safe. Tested by tests/explore/card_rows_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "explore/models/card_model.h"
+#include "explore/models/state_key.h"
+#include "explore/models/value_table.h"
+#include "runtime/sim/body_parts.h"
+
+namespace oncard::explore {
+
+class CardRows {
+ public:
+  /// A state. Its parts say what its future is.
+  struct Row {
+    std::vector<uint32_t> parts;  ///< of each thread, the globals, the body, the progress
+    uint32_t history = 0;         ///< what the supervisor remembers
+    bool finished = false;        ///< as in CardModel::State
+    Fault fault;                  ///< the same
+  };
+  struct Thread {
+    vm::ThreadState state;
+    std::vector<int64_t> page;  ///< without the zeros at its end
+    bool at_end = false;        ///< of its function: it finishes when it wakes up
+  };
+  struct Body {
+    std::vector<uint32_t> parts;  ///< runtime::BodyDivision
+    int64_t cycle = 0;
+    bool apart = false;  ///< its axes do not depend on each other
+  };
+  /// What CardModel::State has of the cycle and of the requirements.
+  struct Progress {
+    int64_t left = 0;
+    uint32_t served = 0;
+    uint32_t reached = 0;
+    bool ended = false;
+    Fault::Kind fault = Fault::Kind::kNone;
+    std::vector<runtime::Owed> owed;
+  };
+  struct GlobalWrite {
+    uint32_t slot = 0;
+    int64_t value = 0;
+  };
+
+  /// The model has a card in a state of its own from now on.
+  explicit CardRows(CardModel* model);
+  CardRows(const CardRows&) = delete;
+  CardRows& operator=(const CardRows&) = delete;
+
+  /// True if the model has rows.
+  static bool Possible(const CardModel& model);
+  /// False: a row does not say everything that the future depends on. Known when it is made.
+  bool exact() const { return exact_; }
+
+  static StateKey KeyOf(const Row& row);
+  bool Ended(const Row& row) const { return ProgressOf(row).ended; }
+  int64_t CycleOf(const Row& row) const { return BodyOf(row).cycle; }
+  /// The threads that may execute the next statement, by their numbers in the model.
+  uint32_t ChoicesOf(const Row& row) const;
+  /// CardModel::MayEndCycle().
+  bool MayEndCycle(const Row& row) const;
+  /// The same state as a whole one.
+  CardModel::State Whole(const Row& row);
+  /// Its variables and threads alone.
+  CardModel::State Program(const Row& row);
+
+  // --- Parts. Threads have the places of their numbers on the card, in ascending order ---------
+
+  size_t thread_count() const { return numbers_.size(); }
+  int NumberOnCard(size_t place) const { return numbers_[place]; }
+  size_t PlaceOf(int thread) const { return places_[static_cast<size_t>(thread)]; }
+  static uint32_t ThreadNumber(const Row& row, size_t place) { return row.parts[place]; }
+  uint32_t GlobalsNumber(const Row& row) const { return row.parts[thread_count()]; }
+  uint32_t BodyNumber(const Row& row) const { return row.parts[thread_count() + 1]; }
+  const Thread& ThreadOf(const Row& row, size_t place) const {
+    return threads_[ThreadNumber(row, place)];
+  }
+  const Body& BodyOf(const Row& row) const { return bodies_[BodyNumber(row)]; }
+  const Progress& ProgressOf(const Row& row) const {
+    return progresses_[row.parts[thread_count() + 2]];
+  }
+  const runtime::Supervisor::HistoryPointer& HistoryOf(const Row& row) const {
+    return histories_[row.history];
+  }
+  const runtime::BodyDivision& division() const { return division_; }
+  /// The value of a global.
+  int64_t ValueOf(const Row& row, uint32_t slot) const;
+  /// The threads that could execute a statement, by their numbers on the card.
+  uint32_t Runnable(const Row& row) const;
+  /// True if a thread finishes because it wakes up at the end of its function.
+  bool SomeoneFinishes(const Row& row) const;
+
+  void SetThread(size_t place, uint32_t number, Row* row) const { row->parts[place] = number; }
+  void SetBody(uint32_t number, Row* row) const { row->parts[thread_count() + 1] = number; }
+  /// Changes parts of the body.
+  void SetBodyParts(const std::vector<std::pair<size_t, uint32_t>>& parts, Row* row);
+  void WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row);
+  void SetProgress(Progress progress, Row* row);
+
+  // --- Between rows and the card ---------------------------------------------------------------
+
+  /// Puts the card into the state, without and with its body.
+  void LoadMachine(const Row& row);
+  void Load(const Row& row);
+  /// The present state of the card; of `state` what the card does not have.
+  Row RowOfCard(const CardModel::State& state);
+  /// What the card does not have: the inverse.
+  CardModel::State StateFor(const Row& row) const;
+  // The numbers of what the card is now.
+  uint32_t NumberOfThread(size_t place);
+  uint32_t NumberOfGlobals();
+  uint32_t NumberOfBody();
+  uint32_t NumberOfHistory();
+  /// The globals that differ; `others`: so does something that belongs to no thread.
+  std::vector<GlobalWrite> Differences(uint32_t before, uint32_t after, bool* others) const;
+  const Body& BodyWith(uint32_t number) const { return bodies_[number]; }
+  const Thread& ThreadWith(uint32_t number) const { return threads_[number]; }
+
+ private:
+  struct BodyPart {
+    runtime::BodyDivision::Part value;
+    bool apart = false;
+  };
+
+  uint32_t NumberOfParts(std::vector<uint32_t> parts);
+  uint32_t NumberOfWords(std::vector<int64_t> globals);
+  bool CanContinue(const Row& row, size_t place) const;
+
+  CardModel& model_;
+  runtime::Controller& card_;
+  bool exact_ = true;
+  runtime::BodyDivision division_;
+  std::vector<int> numbers_;    ///< of the bound threads on the card
+  std::vector<size_t> places_;  ///< of the model's threads among them
+
+  ValueTable<Thread> threads_;
+  /// The number of the globals and their values, without the zeros at their end; then the number,
+  /// the size and the values of each page that has no thread.
+  ValueTable<std::vector<int64_t>> globals_;
+  std::vector<ValueTable<BodyPart>> body_parts_;
+  ValueTable<Body> bodies_;
+  ValueTable<Progress> progresses_;
+  ValueTable<runtime::Supervisor::HistoryPointer> histories_;
+
+  std::unique_ptr<vm::MachineState> machine_;  ///< large
+  runtime::CardBody body_;
+  std::vector<uint32_t> body_numbers_;  ///< of the parts that body_ has
+  motion::StateWords words_;
+  std::vector<int64_t> key_;
+};
+
+}  // namespace oncard::explore
