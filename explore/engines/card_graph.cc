@@ -5,20 +5,49 @@
 #include <deque>
 #include <utility>
 
+#include "explore/models/card_steps.h"
 #include "explore/models/key_set.h"
 
 namespace oncard::explore {
 namespace {
 
-class CardSearch {
+/// What a search needs of whole states.
+class WholeStates {
  public:
-  CardSearch(CardModel* model, const StateLimits& limits) : model_(*model), limits_(limits) {
+  using State = CardModel::State;
+
+  explicit WholeStates(CardModel* model) : model_(*model) {}
+
+  State Start() { return model_.Start(); }
+  State Step(const State& state, int thread) { return model_.Step(state, thread); }
+  StateKey KeyOf(const State& state) const { return model_.KeyOf(state); }
+  static uint32_t ChoicesOf(const State& state) { return state.choices; }
+  static bool Ended(const State& state) { return state.ended; }
+  static int64_t CycleOf(const State& state) { return CardModel::CycleOf(state); }
+  static const State& Program(const State& state) { return state; }
+  static const State& Whole(const State& state) { return state; }
+  static bool exact() { return true; }
+
+ private:
+  CardModel& model_;
+};
+
+/// `States`: WholeStates, or CardSteps, which has the same functions.
+template <typename States>
+class CardSearch {
+  using State = typename States::State;
+
+ public:
+  CardSearch(CardModel* model, const StateLimits& limits)
+      : model_(*model), states_(model), limits_(limits) {
     result_.graph.threads = model->thread_count();
   }
 
-  CardGraph Run() {
+  /// Empty if what was computed of the states is not exact.
+  std::optional<CardGraph> Run() {
     StateGraph& graph = result_.graph;
-    Enter(model_.Start());
+    Enter(states_.Start());
+    if (!states_.exact()) return std::nullopt;
     for (; !waiting_.empty(); waiting_.pop_front()) {
       if (graph.size() > limits_.states) return Finish(false);
       if (graph.size() - std::min(first_bad_, graph.size()) > limits_.states_after_bad) {
@@ -31,31 +60,34 @@ class CardSearch {
                                          std::memory_order_relaxed);
       }
       const auto& [number, state] = waiting_.front();
-      for (uint32_t choices = state.choices; choices != 0; choices &= choices - 1) {
+      for (uint32_t choices = states_.ChoicesOf(state); choices != 0; choices &= choices - 1) {
         const int thread = std::countr_zero(choices);
-        const uint32_t next = Enter(model_.Step(state, thread));
+        const uint32_t next = Enter(states_.Step(state, thread));
         graph.successors[size_t{number} * static_cast<size_t>(graph.threads) +
                          static_cast<size_t>(thread)] = next;
         ++graph.transitions;
       }
+      if (!states_.exact()) return std::nullopt;
     }
     return Finish(true);
   }
 
  private:
   /// Returns the number of a state; a new state is checked and queued.
-  uint32_t Enter(CardModel::State state) {
+  uint32_t Enter(State state) {
     bool added = false;
-    const uint32_t number = numbers_.FindOrAdd(model_.KeyOf(state), &added);
+    const uint32_t number = numbers_.FindOrAdd(states_.KeyOf(state), &added);
     if (!added) return number;
     StateGraph& graph = result_.graph;
     graph.successors.Append(static_cast<size_t>(graph.threads), StateGraph::kNone);
     uint32_t flags = 0;
-    if (state.ended) flags |= kTerminal;
+    const bool ended = states_.Ended(state);
+    if (ended) flags |= kTerminal;
     if (state.finished) {
-      globals_.Insert(model_.GlobalsKey(state));
-      const bool new_end = full_.Insert(model_.FinalKey(state));
-      if (new_end && model_.asks_nothing()) result_.ends.Add(EndOf(model_, state));
+      const CardModel::State& program = states_.Program(state);
+      globals_.Insert(model_.GlobalsKey(program));
+      const bool new_end = full_.Insert(model_.FinalKey(program));
+      if (new_end && model_.asks_nothing()) result_.ends.Add(EndOf(model_, program));
     }
     if (state.fault) {
       flags |= kBad;
@@ -63,7 +95,7 @@ class CardSearch {
       first_bad_ = std::min(first_bad_, graph.size());
     }
     graph.flags.Append(1, flags);
-    if (!state.ended) waiting_.emplace_back(number, std::move(state));
+    if (!ended) waiting_.emplace_back(number, std::move(state));
     return number;
   }
 
@@ -72,15 +104,16 @@ class CardSearch {
     result_.final_globals = globals_.size();
     result_.final_full = full_.size();
     const auto earliest = std::ranges::min_element(
-        waiting_, {}, [](const auto& entry) { return CardModel::CycleOf(entry.second); });
-    if (earliest != waiting_.end()) result_.open = std::move(earliest->second);
+        waiting_, {}, [&](const auto& entry) { return states_.CycleOf(entry.second); });
+    if (earliest != waiting_.end()) result_.open = states_.Whole(earliest->second);
     return std::move(result_);
   }
 
   CardModel& model_;
+  States states_;
   const StateLimits& limits_;
   CardGraph result_;
-  std::deque<std::pair<uint32_t, CardModel::State>> waiting_;
+  std::deque<std::pair<uint32_t, State>> waiting_;
   KeySet numbers_;
   KeySet globals_;
   KeySet full_;
@@ -90,7 +123,13 @@ class CardSearch {
 }  // namespace
 
 CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits) {
-  return CardSearch(model, limits).Run();
+  if (CardRows::Possible(*model) && !limits.whole_states) {
+    if (auto graph = CardSearch<CardSteps>(model, limits).Run()) {
+      graph->by_rows = true;
+      return *std::move(graph);
+    }
+  }
+  return *CardSearch<WholeStates>(model, limits).Run();
 }
 
 }  // namespace oncard::explore

@@ -16,6 +16,7 @@ struct CardGraph {
   int64_t final_globals = 0;  ///< different values of the globals at the end
   int64_t final_full = 0;     ///< the same including the return values of the threads
   EndSet ends;                ///< if there are no requirements on results
+  bool by_rows = false;       ///< the states were rows (models/card_rows.h)
   /// Not complete: of the states whose successors are not known, one with the earliest instant.
   std::optional<CardModel::State> open;
 };

@@ -56,6 +56,9 @@ struct StateLimits {
   /// A step combines a statement with the following ones, and those at the thread's start, that
   /// access nothing shared: there are fewer states, with the same ends and minimum preemptions.
   bool merge_private = false;
+  /// Of a card: its states are kept as whole ones and every step is executed, which gives the same
+  /// graph (models/card_rows.h).
+  bool whole_states = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
   /// A further limit that another thread can lower, as long as no state is kBad; nullptr: none.

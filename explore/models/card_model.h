@@ -170,6 +170,7 @@ class CardModel {
 
  private:
   friend class CardRows;
+  friend class CardSteps;
   struct BoundRequirement {
     Requirement requirement;
     runtime::CardCondition condition;

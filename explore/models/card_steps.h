@@ -1,0 +1,114 @@
+// The steps of a card's program between rows (card_rows.h). What a statement does is computed once
+// for all rows that agree in what it accesses: its thread, the globals that it names, and of the
+// body what the catalogue says that its command accesses. So is what a cycle makes of a body, and
+// whether a condition holds.
+//
+// The first time, a statement or a cycle is executed on the card, which tells whether it has
+// changed anything else. If it has, the steps are not exact, and who searches must begin again with
+// whole states. What needs more than is known of rows (the end of a run, a failure, an assert) is
+// executed on the card each time.
+//
+// Deterministic; not thread-safe. Tested by tests/explore/card_rows_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "explore/models/card_rows.h"
+#include "explore/models/value_table.h"
+#include "gtcalls/catalogue.h"
+
+namespace oncard::explore {
+
+class CardSteps : public CardRows {
+ public:
+  using State = Row;
+
+  explicit CardSteps(CardModel* model);
+
+  /// False: what was computed may be wrong.
+  bool exact() const { return exact_ && CardRows::exact(); }
+
+  /// As those of CardModel.
+  Row Start();
+  Row Step(const Row& from, int thread);
+  Row EndCycle(const Row& from);
+
+ private:
+  /// What a statement does.
+  struct Statement {
+    bool alone = false;  ///< it is executed on the card each time
+    uint32_t thread = 0;
+    std::optional<uint32_t> history;  ///< if it changes it
+    std::vector<GlobalWrite> globals;
+    std::vector<std::pair<size_t, uint32_t>> body;  ///< its parts
+  };
+  struct Cycle {
+    uint32_t body = 0;
+    uint32_t history = 0;
+    int64_t statements = 0;
+  };
+  /// What is known of an instruction of the program.
+  struct Instruction {
+    bool alone = false;
+    bool all_globals = false;
+    std::vector<uint16_t> globals;  ///< those that it can access
+    const gtcalls::Command* command = nullptr;
+    bool reads_body = false;
+    bool changes_body = false;
+    bool looks_around = false;  ///< Supervisor::LooksAround()
+  };
+  /// What a command accesses of the body, beside the clock.
+  struct BodyAccess {
+    bool whole = false;
+    std::vector<size_t> parts;
+    std::vector<size_t> written;
+  };
+  /// What the names of a condition are parts of.
+  struct Names {
+    bool globals = false;
+    bool threads = false;
+    bool body = false;
+  };
+  struct Judgement {
+    bool holds = false;
+    bool answers = false;  ///< the right side of a response
+  };
+
+  void PlanInstructions();
+  static void AddNames(const runtime::CardCondition& condition, Names* names);
+  void AddToKey(const Row& row, const Names& names);
+
+  Row StepAlone(const Row& from, int thread);
+  // As those of CardModel. False: the step must be executed on the card.
+  bool Settle(Row* row, Progress* progress);
+  bool NextCycle(Row* row, Progress* progress);
+  bool Judge(const Row& row, Progress* progress);
+
+  const Statement& StatementOf(const Row& row, size_t place);
+  void AddToKey(const Row& row, const Instruction& instruction, const BodyAccess* access);
+  const BodyAccess& AccessOf(const Row& row, size_t place, const Instruction& instruction);
+  BodyAccess NextBodyAccess(int number) const;
+  Statement Execute(const Row& row, size_t place, const Instruction& instruction,
+                    const BodyAccess* access);
+  const Cycle& CycleAfter(const Row& row);
+  const Judgement& JudgementOf(const Row& row, size_t requirement);
+
+  CardModel& model_;
+  runtime::Controller& card_;
+  bool exact_ = true;
+  std::vector<std::vector<Instruction>> instructions_;  ///< by function and position
+  std::vector<Names> names_;                            ///< of the requirements
+  Names reaction_names_;                                ///< of all reactions
+
+  ValueTable<Statement> statements_;
+  ValueTable<BodyAccess> accesses_;
+  ValueTable<Cycle> cycles_;
+  ValueTable<Judgement> judgements_;
+  std::vector<int64_t> key_;
+};
+
+}  // namespace oncard::explore
