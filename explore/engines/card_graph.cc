@@ -7,30 +7,10 @@
 
 #include "explore/models/card_steps.h"
 #include "explore/models/key_set.h"
+#include "explore/models/whole_states.h"
 
 namespace oncard::explore {
 namespace {
-
-/// What a search needs of whole states.
-class WholeStates {
- public:
-  using State = CardModel::State;
-
-  explicit WholeStates(CardModel* model) : model_(*model) {}
-
-  State Start() { return model_.Start(); }
-  State Step(const State& state, int thread) { return model_.Step(state, thread); }
-  StateKey KeyOf(const State& state) const { return model_.KeyOf(state); }
-  static uint32_t ChoicesOf(const State& state) { return state.choices; }
-  static bool Ended(const State& state) { return state.ended; }
-  static int64_t CycleOf(const State& state) { return CardModel::CycleOf(state); }
-  static const State& Program(const State& state) { return state; }
-  static const State& Whole(const State& state) { return state; }
-  static bool exact() { return true; }
-
- private:
-  CardModel& model_;
-};
 
 /// `States`: WholeStates, or CardSteps, which has the same functions.
 template <typename States>
