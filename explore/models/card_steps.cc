@@ -6,6 +6,7 @@
 
 #include "explore/models/word_key.h"
 #include "gtcalls/gts/numbers.h"
+#include "runtime/observe/lasting_access.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/run/reaction_conditions.h"
@@ -361,6 +362,17 @@ CardSteps::BodyAccess CardSteps::NextBodyAccess(int number) const {
     }
   }
   return access;
+}
+
+runtime::StatementAccess CardSteps::NewLastingAccess(const Row& row, int thread) {
+  const size_t place = PlaceOf(thread);
+  key_.assign({static_cast<int64_t>(place), ThreadNumber(row, place), GlobalsNumber(row)});
+  const Body& body = BodyOf(row);
+  key_.push_back(body.apart ? body.parts[BodyDivision::kRest] : BodyNumber(row));
+  key_.push_back(body.apart);
+  if (!lasting_.Insert(KeyOfWords(key_))) return {};
+  Load(row);
+  return runtime::NextLastingAccess(card_, NumberOnCard(place));
 }
 
 }  // namespace oncard::explore

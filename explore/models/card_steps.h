@@ -18,8 +18,10 @@
 #include <vector>
 
 #include "explore/models/card_rows.h"
+#include "explore/models/key_set.h"
 #include "explore/models/value_table.h"
 #include "gtcalls/catalogue.h"
+#include "runtime/observe/statement_access.h"
 
 namespace oncard::explore {
 
@@ -36,6 +38,9 @@ class CardSteps : public CardRows {
   Row Start();
   Row Step(const Row& from, int thread);
   Row EndCycle(const Row& from);
+  /// What the next statement of a thread accesses as long as other threads run beside it
+  /// (runtime/observe/lasting_access.h); empty if that has been given before.
+  runtime::StatementAccess NewLastingAccess(const Row& row, int thread);
 
  private:
   /// What a statement does.
@@ -108,6 +113,7 @@ class CardSteps : public CardRows {
   ValueTable<BodyAccess> accesses_;
   ValueTable<Cycle> cycles_;
   ValueTable<Judgement> judgements_;
+  KeySet lasting_;  ///< what NewLastingAccess() depends on
   std::vector<int64_t> key_;
 };
 

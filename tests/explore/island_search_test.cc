@@ -144,5 +144,25 @@ TEST(IslandSearch, ProvesNothingThatFails) {
   EXPECT_GE(failures, static_cast<int>(kPrograms / 5));
 }
 
+TEST(IslandSearch, RowsAndWholeStatesProveTheSame) {
+  int proofs = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    const RandomMachine card(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
+    const CardModel model = CardOf(card.source(), card.keys());
+    const auto islands = Islands::Of(model);
+    if (!islands) continue;
+    const auto rows = ProveByIslands(model, *islands, {.states = 20'000});
+    const auto whole = ProveByIslands(model, *islands, {.states = 20'000, .whole_states = true});
+    ASSERT_EQ(rows.has_value(), whole.has_value());
+    if (!rows) continue;
+    ++proofs;
+    EXPECT_EQ(rows->counts.threads, whole->counts.threads);
+    EXPECT_EQ(rows->counts.states, whole->counts.states);
+    EXPECT_EQ(rows->counts.transitions, whole->counts.transitions);
+  }
+  EXPECT_GE(proofs, 5);
+}
+
 }  // namespace
 }  // namespace oncard::explore
