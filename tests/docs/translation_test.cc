@@ -53,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest,
                                          "docs/tutorials/2-first-axis", "docs/tutorials/3-threads",
                                          "docs/tutorials/4-explore", "docs/tutorials/5-rewind",
                                          "docs/tutorials/6-structured", "docs/tutorials/7-host",
-                                         "docs/tutorials/8-python"));
+                                         "docs/tutorials/8-python",
+                                         "docs/tutorials/9-any-instant"));
 
 constexpr const char* kPage =
     "# Title\n"

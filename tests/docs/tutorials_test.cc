@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Pages, Tutorial, testing::ValuesIn(Tutorials()), [](con
   return std::regex_replace(page.param, std::regex("[^A-Za-z0-9]"), "_");
 });
 
-TEST(TutorialsTest, ExistInBothLanguages) { EXPECT_THAT(Tutorials(), SizeIs(2 * 8)); }
+TEST(TutorialsTest, ExistInBothLanguages) { EXPECT_THAT(Tutorials(), SizeIs(2 * 9)); }
 
 TEST(CodeBlocksTest, HaveTheirLanguageAndText) {
   const std::vector<CodeBlock> blocks =
