@@ -160,19 +160,30 @@ TEST_P(WrongChoices, AreRefused) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongChoices,
     ::testing::Values(
-        WrongChoice{"[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [1.1, 1.2]\n",
-                    "no cycle begins in the time of gpi[1] from 1.1 to 1.2 ms, a cycle takes 0.25 "
-                    "ms: make 'between_ms' longer, or use 'at_ms'"},
+        WrongChoice{
+            "[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [1.1, 1.2]\n",
+            ":5:14: no cycle begins in the time of gpi[1] from 1.1 to 1.2 ms, a cycle takes 0.25 "
+            "ms: make 'between_ms' longer, or use 'at_ms'"},
         WrongChoice{"until_ms = 20\n[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [10, 40]\n",
-                    "gpi[1] comes from 10 to 40 ms, and the run ends at 20 ms ('until_ms')"},
-        WrongChoice{"limit_ms = 30\n[[world.fault]]\nkind = \"stall\"\naxis = 1\nbetween_ms = [10, "
-                    "40]\n",
-                    "axis1.stall comes from 10 to 40 ms, and the run ends at 30 ms ('limit_ms')"},
+                    ":6:14: gpi[1] comes from 10 to 40 ms, and the run ends at 20 ms ('until_ms')"},
+        WrongChoice{
+            "limit_ms = 30\n[[world.fault]]\nkind = \"stall\"\naxis = 1\nbetween_ms = [10, "
+            "40]\n",
+            ":6:14: axis1.stall comes from 10 to 40 ms, and the run ends at 30 ms ('limit_ms')"},
         WrongChoice{"globals = { a = [1, 2], \"a[1]\" = { any = [0, 1] } }\n",
                     "'a[1]' has a choice, and another value too: remove one of them"},
-        WrongChoice{"globals = { n = { any = [1, 2000] }, m = { any = [1, 501] } }\n",
-                    "the choices have 1002000 cases together, and there can be 1000000; n: 2000, "
-                    "m: 501"}));
+        WrongChoice{
+            "globals = { n = { any = [1, 2000] }, m = { any = [1, 501] } }\n",
+            ":2:13: the choices have 1002000 cases together, and there can be 1000000; n: 2000, "
+            "m: 501"}));
+
+// The later event of the two is the first one in the file.
+TEST(Choices, ErrorsAreAtTheKeyOfTheirEvent) {
+  EXPECT_THAT(
+      RefusalOf("until_ms = 20\n[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [10, 40]\n"
+                "[[world.input]]\nindex = 2\nvalue = \"any\"\nat_ms = 5\n"),
+      HasSubstr(":6:14: gpi[1] comes from 10 to 40 ms"));
+}
 
 TEST(Choices, ThereAreAtMostAHundred) {
   const auto open = [](int count) {
@@ -183,7 +194,8 @@ TEST(Choices, ThereAreAtMostAHundred) {
     return scenario;
   };
   EXPECT_EQ(RefusalOf(open(100)), "");
-  EXPECT_THAT(RefusalOf(open(101)), HasSubstr("there are 101 choices, and there can be 100"));
+  EXPECT_THAT(RefusalOf(open(101)),
+              HasSubstr(":102:9: there are 101 choices, and there can be 100"));
 }
 
 // --- Runs ----------------------------------------------------------------------------------------

@@ -101,8 +101,11 @@ inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 /// Before the file in a `schedule` that replays a recording.
 inline constexpr std::string_view kReplayPrefix = "replay:";
 
-/// Scenario::text_places of the conditions of World::reactions.
+/// Scenario::text_places of the conditions of World::reactions, and of what is open in
+/// World::inputs and World::faults.
 inline constexpr std::string_view kReactionPlaces = "world.react";
+inline constexpr std::string_view kInputPlaces = "world.input";
+inline constexpr std::string_view kFaultPlaces = "world.fault";
 
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
@@ -154,8 +157,8 @@ struct Scenario {
   std::string livelock = "none";
   std::string deadlock = "none";
   /// The places of the texts of `schedule`, `trace`, `final`, `always`, `never`, `eventually`,
-  /// `leads`, `races`, `sync` and `explore.engine`, by key, and kReactionPlaces; those that do not
-  /// come from a file have none, at the end of the list.
+  /// `leads`, `races`, `sync` and `explore.engine`, by key, and those of the world; what does not
+  /// come from a file has none, at the end of the list.
   std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
   /// Allowed data races: `any`, `benign` or `none`.
   std::string races = "any";

@@ -85,8 +85,11 @@ class ScenarioReader : private TomlKeys {
     CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
-      scenario_.world = ReadWorld(*world, scenario_.axis_count, *this,
-                                  &scenario_.text_places[std::string(kReactionPlaces)]);
+      WorldPlaces places;
+      scenario_.world = ReadWorld(*world, scenario_.axis_count, *this, &places);
+      scenario_.text_places[std::string(kReactionPlaces)] = std::move(places.conditions);
+      scenario_.text_places[std::string(kInputPlaces)] = std::move(places.inputs);
+      scenario_.text_places[std::string(kFaultPlaces)] = std::move(places.faults);
       CheckUnits(*world);
     }
     if (const toml::table* bus = Table(table, "ethercat")) {

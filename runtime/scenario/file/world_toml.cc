@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "base/milliseconds.h"
 #include "motion/io/extension.h"
@@ -36,8 +37,8 @@ constexpr std::string_view kAnyLevel = "any";
 
 class WorldReader {
  public:
-  WorldReader(int axis_count, TomlKeys& keys, std::vector<TextPlace>* conditions)
-      : axis_count_(axis_count), keys_(keys), conditions_(*conditions) {}
+  WorldReader(int axis_count, TomlKeys& keys, WorldPlaces* places)
+      : axis_count_(axis_count), keys_(keys), places_(*places) {}
 
   World Read(const toml::table& table) {
     ReadKeys(table, WorldKeys(), keys_, &world_);
@@ -51,7 +52,7 @@ class WorldReader {
     for (const toml::table* voltage : keys_.Tables(table, "world.analog")) ReadVoltage(*voltage);
     for (const toml::table* module : keys_.Tables(table, "world.module")) ReadModule(*module);
     CheckInputs(table);
-    SortByTime(world_.inputs);
+    SortInputs();
     SortByTime(world_.moves);
     SortByTime(world_.voltages);
     SortByTime(world_.modules);
@@ -70,7 +71,20 @@ class WorldReader {
     } else {
       ReadLevel(table, &event);
     }
+    places_.inputs.push_back(keys_.PlaceOfValue(table, event.last_us ? "between_ms" : "value"));
     world_.inputs.push_back(event);
+  }
+
+  /// By time, with their places.
+  void SortInputs() {
+    std::vector<std::pair<InputEvent, TextPlace>> placed;
+    for (size_t i = 0; i < world_.inputs.size(); ++i) {
+      placed.emplace_back(world_.inputs[i], std::move(places_.inputs[i]));
+    }
+    std::ranges::stable_sort(placed, {}, [](const auto& event) { return event.first.at_us; });
+    for (size_t i = 0; i < placed.size(); ++i) {
+      std::tie(world_.inputs[i], places_.inputs[i]) = std::move(placed[i]);
+    }
   }
 
   void ReadPin(const toml::table& table, InputEvent* event) {
@@ -110,7 +124,7 @@ class WorldReader {
                              "[[world.react]] 超过 {0} 个：应合并其中一些", kReactionMax));
       return;
     }
-    conditions_.push_back(keys_.PlaceOfValue(table, "when"));
+    places_.conditions.push_back(keys_.PlaceOfValue(table, "when"));
     world_.reactions.push_back(std::move(reaction));
   }
 
@@ -269,6 +283,7 @@ class WorldReader {
                      : Message{"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
     }
     CheckFault(table, fault);
+    places_.faults.push_back(keys_.PlaceOfValue(table, "between_ms"));
     world_.faults.push_back(fault);
   }
 
@@ -344,7 +359,7 @@ class WorldReader {
     }
     for (size_t i = 0; i < world_.reactions.size(); ++i) {
       if (!driven(world_.reactions[i].input)) continue;
-      keys_.Fail(conditions_[i], DescribeTwoDrivers("react"));
+      keys_.Fail(places_.conditions[i], DescribeTwoDrivers("react"));
     }
   }
 
@@ -434,7 +449,7 @@ class WorldReader {
 
   const int axis_count_;
   TomlKeys& keys_;
-  std::vector<TextPlace>& conditions_;
+  WorldPlaces& places_;
   World world_;
 };
 
@@ -535,9 +550,8 @@ std::string FormatModule(const ModuleEvent& event) {
 
 }  // namespace
 
-World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys,
-                std::vector<TextPlace>* conditions) {
-  return WorldReader(axis_count, keys, conditions).Read(table);
+World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys, WorldPlaces* places) {
+  return WorldReader(axis_count, keys, places).Read(table);
 }
 
 std::string FormatWorld(const World& world, int axis_count) {

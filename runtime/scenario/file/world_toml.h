@@ -10,9 +10,14 @@
 
 namespace oncard::runtime {
 
-/// Reads the table `world` for a card with `axis_count` axes; errors are added to `keys`, the
-/// places of the conditions of World::reactions to `conditions`.
-World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys,
-                std::vector<TextPlace>* conditions);
+/// The places of what a world is checked for later, each list in the order of the world's own.
+struct WorldPlaces {
+  std::vector<TextPlace> conditions;  ///< of World::reactions
+  std::vector<TextPlace> inputs;      ///< of what is open in them, otherwise of the tables
+  std::vector<TextPlace> faults;
+};
+
+/// Reads the table `world` for a card with `axis_count` axes; errors are added to `keys`.
+World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys, WorldPlaces* places);
 
 }  // namespace oncard::runtime

@@ -43,16 +43,22 @@ class ChoiceFinder {
     const World& world = scenario_.world;
     for (size_t i = 0; i < world.inputs.size(); ++i) AddInput(world.inputs[i], i);
     for (size_t i = 0; i < world.faults.size(); ++i) {
-      AddInstant(world.faults[i], {.kind = ChoiceKind::kFault, .index = i});
+      AddInstant(world.faults[i], {.kind = ChoiceKind::kFault,
+                                   .index = i,
+                                   .place = PlaceOfText(scenario_, kFaultPlaces, i)});
     }
     AddValues(scenario_.globals, {.kind = ChoiceKind::kGlobal});
     for (size_t i = 0; i < scenario_.threads.size(); ++i) {
       AddValues(scenario_.threads[i].values, {.kind = ChoiceKind::kLocal, .index = i});
     }
     if (choices_.size() > Choices::kChoicesMax) {
-      return MakeError(1, "there are {0} choices, and there can be {1}: give some a fixed value",
-                       "共有 {0} 项选择，至多 {1} 项：应为其中一些给出确定的值", choices_.size(),
-                       Choices::kChoicesMax);
+      ScenarioErrors too_many;
+      too_many.Add(
+          choices_[Choices::kChoicesMax].place,
+          MakeMessage("there are {0} choices, and there can be {1}: give some a fixed value",
+                      "共有 {0} 项选择，至多 {1} 项：应为其中一些给出确定的值", choices_.size(),
+                      Choices::kChoicesMax));
+      return *too_many.Failure();
     }
     CheckOthers(scenario_.globals);
     for (const ThreadStart& thread : scenario_.threads) CheckOthers(thread.values);
@@ -64,11 +70,16 @@ class ChoiceFinder {
 
  private:
   void AddInput(const InputEvent& event, size_t index) {
-    Choice instant = {.kind = ChoiceKind::kInput, .index = index};
+    const TextPlace place = PlaceOfText(scenario_, kInputPlaces, index);
+    Choice instant = {.kind = ChoiceKind::kInput, .index = index, .place = place};
     if (!event.any_level) instant.level = event.value;
     AddInstant(event, instant);
     if (!event.any_level) return;
-    Choice level = {.kind = ChoiceKind::kLevel, .index = index, .name = NameOf(event), .count = 2};
+    Choice level = {.kind = ChoiceKind::kLevel,
+                    .index = index,
+                    .name = NameOf(event),
+                    .count = 2,
+                    .place = place};
     if (!event.last_us) level.at_us = event.at_us;
     choices_.push_back(std::move(level));
   }
@@ -90,7 +101,7 @@ class ChoiceFinder {
     const double last = ToMs(last_us);
     if (choice.count < 1) {
       return errors_.Add(
-          {},
+          choice.place,
           MakeMessage("no cycle begins in the time of {0} from {1} to {2} ms, a cycle takes {3} "
                       "ms: make 'between_ms' longer, or use 'at_ms'",
                       "{0} 的时间段 {1} 至 {2} ms 内没有周期开始，周期为 {3} ms："
@@ -102,11 +113,12 @@ class ChoiceFinder {
     const int64_t end_us = has_end ? *scenario_.until_us : limit_us;
     if (last_us <= end_us) return;
     errors_.Add(
-        {}, MakeMessage("{0} comes from {1} to {2} ms, and the run ends at {3} ms ('{4}'): "
-                        "end 'between_ms' there, or change '{4}'",
-                        "{0} 的时间段为 {1} 至 {2} ms，而运行在 {3} ms 结束（“{4}”）："
-                        "“between_ms”应止于此，或修改“{4}”",
-                        choice.name, first, last, ToMs(end_us), has_end ? "until_ms" : "limit_ms"));
+        choice.place,
+        MakeMessage("{0} comes from {1} to {2} ms, and the run ends at {3} ms ('{4}'): "
+                    "end 'between_ms' there, or change '{4}'",
+                    "{0} 的时间段为 {1} 至 {2} ms，而运行在 {3} ms 结束（“{4}”）："
+                    "“between_ms”应止于此，或修改“{4}”",
+                    choice.name, first, last, ToMs(end_us), has_end ? "until_ms" : "limit_ms"));
   }
 
   void AddValues(const std::vector<InitialValue>& values, Choice choice) {
@@ -115,6 +127,7 @@ class ChoiceFinder {
       if (!value.last) continue;
       (choice.kind == ChoiceKind::kGlobal ? choice.index : choice.local) = i;
       choice.name = value.name;
+      choice.place = value.place;
       choice.first = static_cast<int64_t>(value.values.front());
       choice.count = *value.last - choice.first + 1;
       choices_.push_back(choice);
@@ -156,7 +169,8 @@ class ChoiceFinder {
       factors += fmt::format("{}{}: {}", factors.empty() ? "" : ", ", choice.name, choice.count);
     }
     if (product <= static_cast<double>(Choices::kCasesMax)) return;
-    errors_.Add({},
+    const auto most = std::ranges::max_element(choices_, {}, &Choice::count);
+    errors_.Add(most->place,
                 MakeMessage("the choices have {0:.15g} cases together, and there can be {1}; {2}: "
                             "make ranges smaller, or divide one among several scenarios",
                             "各选择共有 {0:.15g} 种情形，至多 {1} 种；{2}："

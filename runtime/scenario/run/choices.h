@@ -16,6 +16,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "runtime/scenario/file/placed_errors.h"
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/sim/card_clock.h"
 
@@ -41,6 +42,7 @@ struct Choice {
   std::optional<uint32_t> level = {};
   /// kLevel: the instant of the event; empty: the choice before it.
   std::optional<int64_t> at_us = {};
+  TextPlace place = {};  ///< of its key
 };
 
 class Choices {
@@ -52,7 +54,8 @@ class Choices {
 
   /// The choices of a scenario. Fails if no cycle begins in the time of an event or it goes beyond
   /// the end of the run, if a variable has a choice and another value, too, and if there are more
-  /// than kChoicesMax choices or kCasesMax cases.
+  /// than kChoicesMax choices or kCasesMax cases. Errors have the places of their keys: of too many
+  /// choices the first one that is too many, of too many cases the choice that has most values.
   static Result<Choices> Of(const Scenario& scenario);
 
   /// True if nothing is left open.
