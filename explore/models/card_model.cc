@@ -49,6 +49,14 @@ bool NamesCard(const runtime::CardCondition& condition) {
   });
 }
 
+/// True if a condition names how many statements were executed.
+bool CountsStatements(const runtime::CardCondition& condition) {
+  return std::ranges::any_of(condition.quantities(), [](const runtime::Quantity& quantity) {
+    return quantity.kind == runtime::QuantityKind::kThreadStatements ||
+           quantity.kind == runtime::QuantityKind::kStatements;
+  });
+}
+
 /// The values of all globals.
 std::vector<int64_t> GlobalsOf(const CardModel::State& state) {
   const std::span<const int64_t> packed = state.variables.Globals();
@@ -170,6 +178,27 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     initial_.owed.emplace_back();
   }
   BindGuards();
+  counts_statements_ = AnyCountsStatements();
+}
+
+bool CardModel::AnyCountsStatements() const {
+  const auto counts = [](const Result<runtime::CardCondition>& condition) {
+    return condition.ok() && CountsStatements(condition.value());
+  };
+  const auto of_requirement = [](const BoundRequirement& bound) {
+    return CountsStatements(bound.condition) || (bound.then && CountsStatements(*bound.then));
+  };
+  const auto of_assert = [&](const Requirement& assert) {
+    return std::ranges::any_of(setups_, [&](const ThreadSetup& setup) {
+      return counts(runtime::CardCondition::ReadInThread(assert.text, setup.thread, *controller_));
+    });
+  };
+  const auto of_reaction = [&](const runtime::InputReaction& reaction) {
+    return counts(runtime::CardCondition::Read(reaction.when, *controller_));
+  };
+  return std::ranges::any_of(requirements_, of_requirement) ||
+         std::ranges::any_of(asserts_.asserts(), of_assert) ||
+         std::ranges::any_of(scenario_.world.reactions, of_reaction);
 }
 
 void CardModel::BindGuards() {
@@ -673,8 +702,10 @@ StateKey CardModel::KeyOf(const State& state) const {
     if (thread.run == vm::ThreadRun::kUnbound) continue;
     words_.push_back(static_cast<int64_t>(number));
     const auto of_thread = vm::WordsOf(thread);
-    words_.insert(words_.end(), of_thread.begin(), of_thread.end() - vm::kCountWords);
+    words_.insert(words_.end(), of_thread.begin(),
+                  of_thread.end() - (counts_statements_ ? 0 : vm::kCountWords));
   }
+  if (counts_statements_) words_.push_back(state.executed);
   words_.insert(words_.end(), {static_cast<int64_t>(state.body->hash), state.left,
                                static_cast<int64_t>(state.served), state.ended, state.reached,
                                static_cast<int64_t>(state.fault.kind)});

@@ -190,6 +190,8 @@ class CardModel {
   void BindRequirements(const std::vector<Requirement>& requirements,
                         runtime::ScenarioErrors* errors);
   void BindGuards();
+  /// True if what is checked or awaited depends on how many statements were executed.
+  bool AnyCountsStatements() const;
   /// Prepares the search for races, or refuses it.
   void BindRaces(runtime::ScenarioErrors* errors);
   bool Holds(const BoundRequirement& bound) const;
@@ -251,8 +253,9 @@ class CardModel {
   uint32_t fault_expected_ = 0;             ///< threads whose error an expectation names
   runtime::AssertWatch asserts_;
   Message assert_values_;
-  bool has_invariants_ = false;  ///< or kEventually
-  bool watches_card_ = false;    ///< a requirement on every state names more than the program
+  bool has_invariants_ = false;     ///< or kEventually
+  bool counts_statements_ = false;  ///< a condition names how many were executed
+  bool watches_card_ = false;       ///< a requirement on every state names more than the program
   Horizon horizon_;
   int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
   bool others_end_runs_ =

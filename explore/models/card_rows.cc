@@ -34,25 +34,10 @@ void Fill(std::span<const int64_t> values, std::array<int64_t, vm::kSlotCount>* 
   std::fill(rest, slots->end(), 0);
 }
 
-/// True if a condition names how many statements have been executed, which is no part of a state.
-bool CountsStatements(const runtime::CardCondition& condition) {
-  return std::ranges::any_of(condition.quantities(), [](const runtime::Quantity& quantity) {
-    return quantity.kind == runtime::QuantityKind::kStatements ||
-           quantity.kind == runtime::QuantityKind::kThreadStatements;
-  });
-}
-
 }  // namespace
 
 bool CardRows::Possible(const CardModel& model) {
-  if (model.host_ != nullptr || model.races_ != nullptr) return false;
-  for (const CardModel::BoundRequirement& bound : model.requirements_) {
-    if (CountsStatements(bound.condition) || (bound.then && CountsStatements(*bound.then))) {
-      return false;
-    }
-  }
-  return std::ranges::none_of(
-      runtime::ConditionsOfReactions(model.scenario_.world, *model.controller_), CountsStatements);
+  return model.host_ == nullptr && model.races_ == nullptr && !model.counts_statements_;
 }
 
 CardRows::CardRows(CardModel* model)

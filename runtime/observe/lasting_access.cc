@@ -114,8 +114,7 @@ StatementAccess LastingAccessOf(const Quantity& quantity, const Controller& cont
       break;
     case QuantityKind::kClock:
       break;
-    // States that differ in counts of statements alone count as one, so that it depends on the
-    // order of a search which of them is seen.
+    // How many statements a thread executes in its waits depends on all the others.
     case QuantityKind::kThreadStatements:
     case QuantityKind::kStatements:
       widened.Add(kEverything);

@@ -220,6 +220,59 @@ TEST(CardGraph, HasTheEndsOfTheProgramAlone) {
   }
 }
 
+// Thread 0 executes 5 or 6 statements, and is in the same state after them.
+constexpr const char* kTwoCounts =
+    "int g;\n"
+    "int t0() {\n  int seen;\n  seen = g;\n  if (seen) goto E;\n  seen = 1;\nE:\n  seen = 0;\n"
+    "  GT_Delay(1);\n%s  return 0;\n}\n"
+    "int t1() { g = 1; return 0; }\n";
+
+std::string TwoCounts(const std::string& assert) {
+  std::string source = kTwoCounts;
+  return source.replace(source.find("%s"), 2, assert);
+}
+
+Verdict StatefulVerdict(const std::string& source, const std::string& keys) {
+  return FindingsOf(source, keys, {.engine = EngineKind::kStateful}).exploration.verdict;
+}
+
+TEST(ExploreCard, CountsOfStatementsThatAreNamedDistinguishStates) {
+  for (const char* count : {"5", "6"}) {
+    const std::string of_thread = std::string("thread0.statements != ") + count;
+    EXPECT_EQ(StatefulVerdict(TwoCounts(""), "final = [\"" + of_thread + "\"]\n"),
+              Verdict::kFailed);
+    EXPECT_EQ(StatefulVerdict(TwoCounts(""), "expect = [\"" + of_thread + "\"]\n"),
+              Verdict::kFailed);
+    EXPECT_EQ(StatefulVerdict(TwoCounts(""), "leads = [\"clock >= 1 -> " + of_thread + "\"]\n"),
+              Verdict::kFailed);
+  }
+  EXPECT_EQ(StatefulVerdict(TwoCounts(""), "final = [\"thread0.statements != 7\"]\n"),
+            Verdict::kProved);
+  // With the two statements of thread 1.
+  for (const char* count : {"7", "8"}) {
+    EXPECT_EQ(
+        StatefulVerdict(TwoCounts(""), std::string("final = [\"statements != ") + count + "\"]\n"),
+        Verdict::kFailed);
+  }
+  // Before the statement that returns.
+  for (const char* count : {"4", "5"}) {
+    EXPECT_EQ(StatefulVerdict(
+                  TwoCounts(std::string("//@ assert: thread0.statements != ") + count + "\n"), ""),
+              Verdict::kFailed);
+  }
+}
+
+TEST(ExploreCard, CountsOfStatementsThatStartReactionsDistinguishStates) {
+  for (const char* count : {"5", "6"}) {
+    EXPECT_EQ(
+        StatefulVerdict(TwoCounts(""), std::string("expect = [\"gpi[1] == 0 "
+                                                   "@ 8ms\"]\n[[world.react]]\nwhen = "
+                                                   "\"thread0.statements == ") +
+                                           count + "\"\nafter_ms = 1\nindex = 1\nvalue = 1\n"),
+        Verdict::kFailed);
+  }
+}
+
 TEST(CardGraph, ALimitEndsTheSearch) {
   CardModel model = CardOf(Increments(3, 2), {});
   EXPECT_FALSE(BuildCardGraph(&model, {.states = 100}).graph.complete);
