@@ -80,6 +80,15 @@ Compilation CompileText(const std::string& path, std::string text, const Options
   return TakeCompilation(lowering);
 }
 
+/// True if a comment for the explorer says that the program is meant to run for ever.
+bool SaysEndless(std::string_view source) {
+  bool endless = false;
+  ForEachToolComment(source, [&endless](int /*number*/, std::string_view line) {
+    endless = endless || Trim(Trim(line).substr(kToolComment.size())) == "endless";
+  });
+  return endless;
+}
+
 Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
                             const FileReader& reader) {
   Reporter reporter;
@@ -102,6 +111,7 @@ Compilation CompileCardText(const std::string& path, std::string text, const Opt
     PlaceAsserts(directives.files(), checker.places(), &object, reporter);
   }
   if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), *options.catalogue, reporter);
+  if (SaysEndless(directives.files()[0].text())) reporter.Drop(Code::kEndlessLoop);
   ApplyWarningOptions(options, reporter);
 
   Compilation compilation;
