@@ -301,6 +301,32 @@ TEST(ExploreCard, AutoTriesRandomSchedulesWhereThereAreTooManyStates) {
             "the limit of 50 states was reached");
 }
 
+// Thread 1 sees all four values only if the threads take turns six times: too often for the
+// schedules of few preemptions and of few changes of priority that `auto` tries first.
+TEST(ExploreCard, AutoFailsWithARandomScheduleThatDoesSo) {
+  constexpr const char* kAlternates =
+      "int a, n;\n"
+      "int t0() { a = 1; a = 2; a = 3; a = 4; return 0; }\n"
+      "int t1() {\n  int s, e;\n  s = a; e = s == 1; n = n + e;\n  s = a; e = s == 2; n = n + e;\n"
+      "  s = a; e = s == 3; n = n + e;\n  s = a; e = s == 4; n = n + e;\n  return 0;\n}\n";
+  const std::string keys = "rate = 4000\nuntil_ms = 1\nnever = [\"n == 4\"]\n";
+  const ExploreOptions few = {.state_limit = 50};
+  const Exploration found = FindingsOf(kAlternates, keys, few).exploration;
+  EXPECT_EQ(found.verdict, Verdict::kFailed);
+  EXPECT_EQ(found.engine, EngineKind::kPos);
+  EXPECT_EQ(found.why.en, "");
+  ASSERT_TRUE(found.failure);
+  EXPECT_EQ(found.failure->preemptions, 6);
+  EXPECT_FALSE(found.failure->fewest_preemptions);
+  CardModel model = CardOf(kAlternates, keys);
+  CardModel::State state = model.Start();
+  for (const uint8_t thread : found.failure->steps) {
+    ASSERT_FALSE(state.fault);
+    state = model.Step(state, thread);
+  }
+  EXPECT_TRUE(state.fault);
+}
+
 // --- Findings of the supervisor ------------------------------------------------------------------
 
 constexpr const char* kJog =
