@@ -492,6 +492,18 @@ TEST(RunChoices, WhatIsSetIsNoChoice) {
             "thread 0 t0: finished, result 7\nn = 7\n");
 }
 
+// An array that is set whole does not say which of its elements were left open on purpose.
+TEST(RunChoices, AnArrayIsNotSetOverAChoiceOfAnElement) {
+  const ScratchFolder scratch;
+  const std::string program =
+      scratch.Write("p.c", "int a[3];\n//@ input: a[1] = 1..3\nint t0()\n{\n  return 0;\n}\n");
+  const ProcessResult all = RunOncard({"run", program, "--set", "a=5,2"});
+  EXPECT_EQ(all.exit_code, 2) << all.out;
+  EXPECT_THAT(all.err, HasSubstr("'a[1]' has a choice, and another value too"));
+  EXPECT_EQ(RunOncard({"run", program, "--set", "a[1]=2"}).out,
+            "thread 0 t0: finished, result 0\na = [0, 2, 0]\n");
+}
+
 TEST(RunChoices, ARecordingHasWhatWasChosen) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kOpen);
