@@ -10,58 +10,6 @@
 namespace oncard::explore {
 namespace {
 
-bool TriesRandomSchedules(EngineKind engine) {
-  return engine == EngineKind::kRandom || engine == EngineKind::kPct || engine == EngineKind::kPos;
-}
-
-bool IsSamePlace(const runtime::CommandPlace& a, const runtime::CommandPlace& b) {
-  return a.function == b.function && a.file == b.file && a.line == b.line && a.call == b.call;
-}
-bool IsSame(const runtime::RefusedCommand& a, const runtime::RefusedCommand& b) {
-  return IsSamePlace(a.place, b.place) && a.call.en == b.call.en;
-}
-bool IsSame(const runtime::CardFinding& a, const runtime::CardFinding& b) {
-  return IsSamePlace(a.place, b.place) && a.text.en == b.text.en;
-}
-
-/// What was found in a place of the program, each place once.
-template <typename Found>
-void JoinFound(std::vector<Found> next, std::vector<Found>* all) {
-  for (Found& found : next) {
-    const auto known =
-        std::ranges::find_if(*all, [&](const Found& other) { return IsSame(other, found); });
-    if (known == all->end()) {
-      all->push_back(std::move(found));
-    } else {
-      known->first_us = std::min(known->first_us, found.first_us);
-      known->count += found.count;
-    }
-  }
-}
-
-/// What no case has put to the test.
-class UntestedEverywhere {
- public:
-  void Add(const std::vector<Message>& untested) {
-    if (fewest_ == kNone) common_ = first_ = untested;
-    fewest_ = std::min(fewest_, untested.size());
-    std::erase_if(common_, [&](const Message& text) {
-      return std::ranges::find(untested, text.en, &Message::en) == untested.end();
-    });
-  }
-
-  /// A text can differ from case to case: an event that always comes too late comes at another
-  /// instant. If each case has such a text, that of the first one stands for all.
-  std::vector<Message> Texts() const { return fewest_ > common_.size() ? first_ : common_; }
-
- private:
-  static constexpr size_t kNone = SIZE_MAX;
-
-  std::vector<Message> common_;
-  std::vector<Message> first_;
-  size_t fewest_ = kNone;  ///< texts of a case
-};
-
 class CaseExploration {
  public:
   CaseExploration(const runtime::Choices& choices, const ExploreOptions& options)
@@ -71,13 +19,7 @@ class CaseExploration {
   }
 
   Result<Findings> Explore(const runtime::Scenario& scenario, const CaseExplorer& explore) {
-    if (TriesRandomSchedules(options_.engine) && options_.runs < cases_) {
-      return MakeError(1,
-                       "{0} random runs are not enough for {1} cases of the choices: ask for at "
-                       "least one run for each",
-                       "{0} 次随机运行不足以覆盖 {1} 种情形：每种情形至少需要一次", options_.runs,
-                       cases_);
-    }
+    if (auto enough = CheckRuns(options_, cases_); !enough.ok()) return enough.error();
     ShowProgress();
     for (; search_.searched < cases_ && GoesOn(); ++search_.searched) {
       if (options_.progress != nullptr) options_.progress->cases_done = search_.searched;
@@ -119,12 +61,10 @@ class CaseExploration {
         options.execution_limit -= ExecutionsUsed(all_->exploration);
       }
     }
-    if (TriesRandomSchedules(options.engine)) {
-      const int64_t before = options.runs / cases_ * search_.searched +
-                             std::min(search_.searched, options.runs % cases_);
-      const int64_t more = search_.searched < options.runs % cases_ ? 1 : 0;
-      options.first_run += before;
-      options.runs = options.runs / cases_ + more;
+    if (IsRandom(options.engine)) {
+      const auto [first, runs] = RunsOfCase(options.runs, search_.searched, cases_);
+      options.first_run += first;
+      options.runs = runs;
     }
     return options;
   }
@@ -172,10 +112,24 @@ class CaseExploration {
   const int64_t cases_;
   CaseSearch search_;
   std::unique_ptr<Findings> all_;  ///< of the cases so far
-  UntestedEverywhere untested_;
+  UntestedInAll untested_;
 };
 
 }  // namespace
+
+std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases) {
+  const int64_t more = runs % cases;  // the first cases have one more
+  return {runs / cases * number + std::min(number, more), runs / cases + (number < more ? 1 : 0)};
+}
+
+Result<void> CheckRuns(const ExploreOptions& options, int64_t cases) {
+  if (!IsRandom(options.engine) || options.runs >= cases) return {};
+  return MakeError(1,
+                   "{0} random runs are not enough for {1} cases of the choices: ask for at "
+                   "least one run for each",
+                   "{0} 次随机运行不足以覆盖 {1} 种情形：每种情形至少需要一次", options.runs,
+                   cases);
+}
 
 Result<Findings> ExploreCases(const runtime::Scenario& scenario, const runtime::Choices& choices,
                               const ExploreOptions& options, const CaseExplorer& explore) {

@@ -4,7 +4,9 @@
 // tests/explore/case_exploration_test.cc.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "base/result.h"
 #include "explore/reports/report.h"
@@ -16,6 +18,13 @@ namespace oncard::explore {
 /// Explores one case.
 using CaseExplorer = std::function<Result<Findings>(const runtime::Scenario& scenario,
                                                     const ExploreOptions& options)>;
+
+/// The number of the first random run of a case, from 0, and its number of runs: run numbers go on
+/// from case to case.
+std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases);
+
+/// Fails if there are fewer random runs than cases.
+Result<void> CheckRuns(const ExploreOptions& options, int64_t cases);
 
 /// Explores the cases in order, up to the first failure unless ExploreOptions::all is set. All have
 /// to be searched for a proof, and otherwise the weakest verdict counts. Limits of states,

@@ -44,19 +44,6 @@ std::optional<End> SerialEnd(Walk* walk) {
   return walk->EndNow();
 }
 
-/// Adds what the card does in the failing run, by running its schedule. A run that fails before its
-/// end has only the values up to there.
-void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
-  // A run that is too long to be listed is also too long to be drawn.
-  if (!findings->exploration.failure || findings->trail.skipped > 0) return;
-  runtime::RunOptions options;
-  options.trace = true;
-  options.replay = std::make_shared<const vm::Schedule>(
-      ScheduleOf(findings->subject, *findings->exploration.failure));
-  auto run = runtime::RunScenario(scenario, object, options);
-  if (run.ok()) findings->trail.trace = std::move(run.value().trace);
-}
-
 /// The statements of a schedule, by the subject's thread numbers.
 std::vector<uint8_t> StepsOf(const Subject& subject, const vm::Schedule& schedule) {
   std::vector<uint8_t> steps;
@@ -182,6 +169,17 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
   return findings;
 }
 
+void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
+  // A run that is too long to be listed is also too long to be drawn.
+  if (!findings->exploration.failure || findings->trail.skipped > 0) return;
+  runtime::RunOptions options;
+  options.trace = true;
+  options.replay = std::make_shared<const vm::Schedule>(
+      ScheduleOf(findings->subject, *findings->exploration.failure));
+  auto run = runtime::RunScenario(scenario, object, options);
+  if (run.ok()) findings->trail.trace = std::move(run.value().trace);
+}
+
 void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
                      runtime::ScenarioErrors* errors) {
   if (options.engine == EngineKind::kDpor) {
@@ -286,9 +284,9 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
   return FindingsOf(scenario, problem.value(), std::move(exploration).value());
 }
 
-Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
-                                 const std::vector<Requirement>& requirements,
-                                 const vm::Object& object, const ExploreOptions& options) {
+Result<runtime::Choices> ChoicesToExplore(const runtime::Scenario& scenario,
+                                          const std::vector<Requirement>& requirements,
+                                          const vm::Object& object) {
   if (!scenario.host.empty()) {
     return MakeError(1,
                      "a scenario with host events cannot be explored: start the threads with the "
@@ -300,17 +298,31 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
     clashes.Add(place, std::move(why));
   }
   if (auto failure = clashes.Failure()) return *std::move(failure);
-  const auto choices = runtime::Choices::Of(scenario);
-  if (!choices.ok()) return choices.error();
-  const auto explore = [&](const runtime::Scenario& chosen, const ExploreOptions& chosen_options) {
-    return runtime::NeedsCard(chosen, object)
-               ? ExploreWithCard(chosen, requirements, object, chosen_options)
-               : ExploreProgram(chosen, requirements, object, chosen_options);
-  };
-  if (choices.value().empty()) return explore(scenario, options);
+  auto choices = runtime::Choices::Of(scenario);
+  if (!choices.ok() || choices.value().empty()) return choices;
   // Every case must fit the program before the first one is searched.
   if (auto fits = runtime::CheckScenario(scenario, object); !fits.ok()) return fits.error();
-  auto findings = ExploreCases(scenario, choices.value(), options, explore);
+  return choices;
+}
+
+Result<Findings> ExploreCase(const runtime::Scenario& chosen,
+                             const std::vector<Requirement>& requirements, const vm::Object& object,
+                             const ExploreOptions& options) {
+  return runtime::NeedsCard(chosen, object) ? ExploreWithCard(chosen, requirements, object, options)
+                                            : ExploreProgram(chosen, requirements, object, options);
+}
+
+Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
+                                 const std::vector<Requirement>& requirements,
+                                 const vm::Object& object, const ExploreOptions& options) {
+  const auto choices = ChoicesToExplore(scenario, requirements, object);
+  if (!choices.ok()) return choices.error();
+  if (choices.value().empty()) return ExploreCase(scenario, requirements, object, options);
+  auto findings =
+      ExploreCases(scenario, choices.value(), options,
+                   [&](const runtime::Scenario& chosen, const ExploreOptions& chosen_options) {
+                     return ExploreCase(chosen, requirements, object, chosen_options);
+                   });
   if (findings.ok()) Describe(scenario, &findings.value().subject);
   return findings;
 }

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "explore/reports/report.h"
 #include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/choices.h"
 #include "vm/object.h"
 #include "vm/schedule.h"
 
@@ -35,6 +36,10 @@ Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
 /// The same with a card; `model` is used up.
 Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Exploration exploration);
 
+/// Adds what the card does in the failing run, by running its schedule. A run that fails before its
+/// end has only the values up to there.
+void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings);
+
 /// The card of a scenario, for Subject::card.
 CardConditions CardConditionsOf(const runtime::Scenario& scenario);
 
@@ -50,6 +55,17 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,
                                 const vm::Schedule& schedule);
+
+/// The choices of a scenario that can be explored. Fails as ExploreScenario(), except for what does
+/// not fit the program where nothing is open.
+Result<runtime::Choices> ChoicesToExplore(const runtime::Scenario& scenario,
+                                          const std::vector<Requirement>& requirements,
+                                          const vm::Object& object);
+
+/// Explores one case of these, in which nothing is open. Fails as ExploreScenario().
+Result<Findings> ExploreCase(const runtime::Scenario& chosen,
+                             const std::vector<Requirement>& requirements, const vm::Object& object,
+                             const ExploreOptions& options);
 
 /// Explores the scenario, in every case of its choices, with its expectations and the requirements;
 /// the caller fills in Findings::source. Fails if the scenario does not fit the program or has host

@@ -85,6 +85,30 @@ void AddRaces(const std::vector<FoundRace>& next, std::vector<FoundRace>* all) {
   }
 }
 
+bool IsSamePlace(const runtime::CommandPlace& a, const runtime::CommandPlace& b) {
+  return a.function == b.function && a.file == b.file && a.line == b.line && a.call == b.call;
+}
+bool IsSame(const runtime::RefusedCommand& a, const runtime::RefusedCommand& b) {
+  return IsSamePlace(a.place, b.place) && a.call.en == b.call.en;
+}
+bool IsSame(const runtime::CardFinding& a, const runtime::CardFinding& b) {
+  return IsSamePlace(a.place, b.place) && a.text.en == b.text.en;
+}
+
+template <typename Found>
+void JoinPlaces(std::vector<Found> next, std::vector<Found>* all) {
+  for (Found& found : next) {
+    const auto known =
+        std::ranges::find_if(*all, [&](const Found& other) { return IsSame(other, found); });
+    if (known == all->end()) {
+      all->push_back(std::move(found));
+    } else {
+      known->first_us = std::min(known->first_us, found.first_us);
+      known->count += found.count;
+    }
+  }
+}
+
 }  // namespace
 
 int64_t ExecutionsUsed(const Exploration& exploration) {
@@ -121,6 +145,30 @@ void AddCase(Exploration next, Exploration* all) {
     all->why = std::move(next.why);
   }
   if (!all->failure) all->failure = std::move(next.failure);
+}
+
+void JoinFound(std::vector<runtime::RefusedCommand> next,
+               std::vector<runtime::RefusedCommand>* all) {
+  JoinPlaces(std::move(next), all);
+}
+void JoinFound(std::vector<runtime::CardFinding> next, std::vector<runtime::CardFinding>* all) {
+  JoinPlaces(std::move(next), all);
+}
+
+void UntestedInAll::Add(const std::vector<Message>& untested) {
+  Add(UntestedInAll{untested, untested, static_cast<int64_t>(untested.size())});
+}
+
+void UntestedInAll::Add(const UntestedInAll& others) {
+  if (others.fewest == kNone) return;
+  if (fewest == kNone) {
+    *this = others;
+    return;
+  }
+  fewest = std::min(fewest, others.fewest);
+  std::erase_if(common, [&](const Message& text) {
+    return std::ranges::find(others.common, text.en, &Message::en) == others.common.end();
+  });
 }
 
 }  // namespace oncard::explore

@@ -47,6 +47,11 @@ enum class EngineKind : uint8_t {
 std::optional<EngineKind> EngineNamed(std::string_view name);
 std::string_view EngineName(EngineKind engine);
 
+/// True for those that try random schedules.
+constexpr bool IsRandom(EngineKind engine) {
+  return engine == EngineKind::kRandom || engine == EngineKind::kPct || engine == EngineKind::kPos;
+}
+
 /// In the order of kVerdictNames (runtime/scenario/file/search_names.h).
 enum class Verdict : uint8_t {
   kProved,     ///< no interleaving fails
