@@ -24,9 +24,10 @@ class CardSearch {
   }
 
   /// Empty if what was computed of the states is not exact.
-  std::optional<CardGraph> Run() {
+  std::optional<CardGraph> Run(const std::vector<CardModel::State>& starts) {
     StateGraph& graph = result_.graph;
-    Enter(states_.Start());
+    if (starts.empty()) Enter(states_.Start());
+    for (const CardModel::State& start : starts) Enter(states_.From(start));
     if (!states_.exact()) return std::nullopt;
     for (; !waiting_.empty(); waiting_.pop_front()) {
       if (graph.size() > limits_.states) return Finish(false);
@@ -102,14 +103,15 @@ class CardSearch {
 
 }  // namespace
 
-CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits) {
+CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits,
+                         const std::vector<CardModel::State>& starts) {
   if (CardRows::Possible(*model) && !limits.whole_states) {
-    if (auto graph = CardSearch<CardSteps>(model, limits).Run()) {
+    if (auto graph = CardSearch<CardSteps>(model, limits).Run(starts)) {
       graph->by_rows = true;
       return *std::move(graph);
     }
   }
-  return *CardSearch<WholeStates>(model, limits).Run();
+  return *CardSearch<WholeStates>(model, limits).Run(starts);
 }
 
 }  // namespace oncard::explore

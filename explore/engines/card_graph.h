@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "explore/engines/state_graph.h"
 #include "explore/models/card_model.h"
@@ -21,7 +22,9 @@ struct CardGraph {
   std::optional<CardModel::State> open;
 };
 
-/// Explores from the start of the run, the states with the fewest statements first.
-CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits);
+/// Explores from the start of the run, the states with the fewest statements first; or from several
+/// states that are different, which then are the first ones of the graph.
+CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits,
+                         const std::vector<CardModel::State>& starts = {});
 
 }  // namespace oncard::explore

@@ -30,6 +30,8 @@ struct StateCounts {
   int64_t final_full = 0;
   /// The states are those between steps of several statements (StateLimits::merge_private).
   bool merged = false;
+  /// They are sums over groups of schedules (card_cut.h), several of which can have the same one.
+  bool in_groups = false;
   /// Different final globals with at most this number of preemptions.
   std::vector<int64_t> finals_within;
   bool complete = false;

@@ -105,6 +105,11 @@ void CardSteps::PlanInstructions() {
 
 CardSteps::Row CardSteps::Start() { return RowOfCard(model_.Start()); }
 
+CardSteps::Row CardSteps::From(const CardModel::State& state) {
+  model_.Load(state);
+  return RowOfCard(state);
+}
+
 CardSteps::Row CardSteps::StepAlone(const Row& from, int thread) {
   Load(from);
   CardModel::State state = StateFor(from);

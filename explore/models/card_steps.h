@@ -36,6 +36,8 @@ class CardSteps : public CardRows {
 
   /// As those of CardModel.
   Row Start();
+  /// The row of a state of the model.
+  Row From(const CardModel::State& state);
   Row Step(const Row& from, int thread);
   Row EndCycle(const Row& from);
   /// What the next statement of a thread accesses as long as other threads run beside it

@@ -18,6 +18,7 @@ class WholeStates {
 
   static bool exact() { return true; }
   State Start() { return model_.Start(); }
+  static const State& From(const State& state) { return state; }
   State Step(const State& state, int thread) { return model_.Step(state, thread); }
   State EndCycle(const State& state) { return model_.EndCycle(state); }
   StateKey KeyOf(const State& state) const { return model_.KeyOf(state); }

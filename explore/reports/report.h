@@ -28,6 +28,7 @@ struct CaseSearch {
   std::vector<Message> choices;  ///< `gpi[1] at 10..40 ms (121 instants)`
   int64_t cases = 0;
   int64_t searched = 0;  ///< from the first one on, the last one perhaps in part
+  bool in_order = true;  ///< false: any of them, all of which were searched to their ends
   // Of the case that failed:
   Message failing;  ///< what was chosen
   std::shared_ptr<const runtime::Scenario> scenario;
@@ -69,7 +70,8 @@ std::string TextReport(const Findings& findings, Language language,
 
 /// A JSON object: `verdict`, `engine`, the scope (claim.h), the counts of all engines that ran
 /// (`executions`, `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`,
-/// `bad_states`, and `states_merged` if they are those of merged statements; `final_globals`,
+/// `bad_states`, `states_merged` if they are those of merged statements, and `states_in_groups` if
+/// some are counted in several groups of schedules; `final_globals`,
 /// `final_full`, `finals_pb0` ...; `races`), and of a failure `min_preemptions_to_bad` and
 /// `min_steps_to_bad` when they are exact, and its `schedule` of at most 10 000 segments.
 std::string JsonReport(const Findings& findings);

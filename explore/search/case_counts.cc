@@ -39,6 +39,7 @@ void Add(const StateCounts& next, StateCounts* all) {
   all->final_globals += next.final_globals;
   all->final_full += next.final_full;
   all->merged = all->merged || next.merged;
+  all->in_groups = all->in_groups || next.in_groups;
   all->finals_within.resize(std::max(all->finals_within.size(), next.finals_within.size()));
   for (size_t i = 0; i < next.finals_within.size(); ++i) {
     all->finals_within[i] += next.finals_within[i];

@@ -88,6 +88,10 @@ struct ExploreOptions {
   bool all = false;
   /// kAuto: the first look is divided among so many searches.
   int64_t cases = 1;
+  /// kAuto, kStateful, with a card: only one of `groups` groups of schedules, from 0
+  /// (explore/engines/card_cut.h). What comes before them is counted in the first one.
+  int group = 0;
+  int groups = 1;
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // For the engines with random schedules.
   int64_t runs = SampleOptions{}.runs;
