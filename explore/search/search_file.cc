@@ -1,6 +1,7 @@
 #include "explore/search/search_file.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -14,22 +15,6 @@ namespace {
 
 /// Units of a search of traces per part: with many, all parts take about the same time.
 constexpr size_t kUnitsPerPart = 16;
-
-// --- Putting together ----------------------------------------------------------------------------
-
-/// Why a search that has found no failure has no proof.
-Message WhyNotProved(const SearchFile& file, bool done) {
-  if (!done) {
-    return {"not all of its parts are complete: continue their files, then merge them again",
-            "有的部分尚未完成：请先继续完成各文件，再重新合并"};
-  }
-  std::string held;
-  for (const int part : file.held) {
-    held += fmt::format("{}{}", held.empty() ? "" : ", ", part);
-  }
-  return MakeMessage("no failure in these of {0} parts: {1}; the others were not searched",
-                     "共 {0} 部分，其中第 {1} 部分未出错；其余未搜索", file.parts, held);
-}
 
 }  // namespace
 
@@ -48,7 +33,12 @@ Result<SearchPart> ParsePart(std::string_view text) {
   return part;
 }
 
+bool SearchFile::failed() const {
+  if (units) return units->failing.has_value();
+  return (engine == EngineKind::kDpor ? traces.bad : samples.bad) > 0;
+}
 bool SearchFile::done() const {
+  if (units) return units->left.empty() || (units->failing && !units->all);
   return engine == EngineKind::kDpor ? traces.complete() : runs_cut == 0;
 }
 bool SearchFile::whole() const { return held.size() == static_cast<size_t>(parts); }
@@ -101,11 +91,14 @@ Result<void> MergeInto(SearchFile* file, const SearchFile& other) {
   const auto kind = [](const SearchFile& each) {
     return std::tuple(each.engine, each.parts, each.seed, each.depth, each.runs);
   };
-  if (kind(*file) != kind(other)) {
+  const auto of_units = [](const SearchFile& each) {
+    return each.units ? std::optional(each.units->Kind()) : std::nullopt;
+  };
+  if (kind(*file) != kind(other) || of_units(*file) != of_units(other)) {
     return MakeError(1,
-                     "the files are of different searches: engine, parts, seed, depth and runs "
-                     "must be the same",
-                     "这些文件属于不同的搜索：引擎、部分数、种子、深度和次数应相同");
+                     "the files are of different searches: engine, parts, seed, depth, runs and "
+                     "options must be the same",
+                     "这些文件属于不同的搜索：引擎、部分数、种子、深度、次数和选项应相同");
   }
   if (file->runs_cut != 0 || other.runs_cut != 0) {
     return MakeError(1, "the random runs of a part are not complete: continue its file first",
@@ -119,9 +112,44 @@ Result<void> MergeInto(SearchFile* file, const SearchFile& other) {
   }
   file->held.insert(file->held.end(), other.held.begin(), other.held.end());
   std::ranges::sort(file->held);
-  MergeInto(&file->traces, other.traces);
-  MergeInto(&file->samples, other.samples);
+  MergeInto(&file->remarks, other.remarks);
+  if (file->units) {
+    MergeInto(&*file->units, *other.units);
+  } else if (file->engine == EngineKind::kDpor) {
+    MergeInto(&file->traces, other.traces);
+  } else {
+    AddSamples(other.samples, other.failing_case, file);
+  }
   return {};
+}
+
+void AddSamples(SampleCounts more, int64_t failing_case, SearchFile* file) {
+  if (more.bad > 0 && (file->samples.bad == 0 || failing_case < file->failing_case)) {
+    file->samples.failing.clear();
+    file->failing_case = failing_case;
+  } else if (failing_case > file->failing_case) {
+    more.failing.clear();
+  }
+  MergeInto(&file->samples, more);
+}
+
+std::string MissingParts(const SearchFile& file) {
+  std::string missing;
+  for (int part = 1; part <= file.parts; ++part) {
+    if (std::ranges::binary_search(file.held, part)) continue;
+    missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part);
+  }
+  return missing;
+}
+
+Message WhyNotProved(const SearchFile& file) {
+  if (!file.done()) {
+    return {"not all of its parts are complete: continue their files, then merge them again",
+            "有的部分尚未完成：请先继续完成各文件，再重新合并"};
+  }
+  return MakeMessage("no failure in these of {0} parts: {1}; the others were not searched",
+                     "共 {0} 部分，其中第 {1} 部分未出错；其余未搜索", file.parts,
+                     fmt::format("{}", fmt::join(file.held, ", ")));
 }
 
 Exploration Conclude(const Problem& problem, const SearchFile& file, std::optional<Failure> known) {
@@ -142,7 +170,7 @@ Exploration Conclude(const Problem& problem, const SearchFile& file, std::option
     exploration.failure = known ? std::move(known) : ShrinkExecution(problem, failing);
   } else if (!file.done() || !file.whole()) {
     exploration.verdict = file.done() ? Verdict::kPassed : Verdict::kIncomplete;
-    exploration.why = WhyNotProved(file, file.done());
+    exploration.why = WhyNotProved(file);
   }
   return exploration;
 }

@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "explore/search/explorer.h"
+#include "explore/search/unit_search.h"
 
 namespace oncard::explore {
 
@@ -36,16 +37,21 @@ struct SearchFile {
   EngineKind engine = EngineKind::kDpor;
   int parts = 1;          ///< of the whole search
   std::vector<int> held;  ///< numbers of the parts that the file holds, in order
-  TraceSearch traces;     ///< kDpor
+  /// With a card, or choices, unless the schedules are random: the work and what it has shown.
+  std::optional<UnitSearch> units;
+  Remarks remarks;     ///< with a card, or choices
+  TraceSearch traces;  ///< otherwise kDpor
   // For the engines with random schedules.
   uint64_t seed = 0;
   int depth = SampleOptions{}.depth;
   int64_t runs = 0;      ///< of the whole search
   int64_t runs_cut = 0;  ///< runs of the part that were not made
   SampleCounts samples;
+  int64_t failing_case = 0;  ///< of the choices: that of SampleCounts::failing
 
-  bool done() const;   ///< nothing is left to be done for its parts
-  bool whole() const;  ///< it holds all parts
+  bool failed() const;  ///< a failure was found
+  bool done() const;    ///< nothing is left to be done for its parts
+  bool whole() const;   ///< it holds all parts
 };
 
 /// A hash of a problem: its program, its initial state and what is asked of its runs.
@@ -55,6 +61,16 @@ uint64_t HashOf(const Problem& problem);
 TraceSearch TracesOfPart(const Problem& problem, const SearchPart& part);
 /// The number of its first run, and its number of runs.
 std::pair<int64_t, int64_t> RunsOfPart(int64_t runs, const SearchPart& part);
+
+/// Adds random runs, of which those that fail are of one case of the choices.
+void AddSamples(SampleCounts more, int64_t failing_case, SearchFile* file);
+
+/// The parts that the file does not hold: `2, 3`.
+std::string MissingParts(const SearchFile& file);
+
+/// Why a search that has found no failure has no proof: of its parts some are missing, or not
+/// complete.
+Message WhyNotProved(const SearchFile& file);
 
 /// The text of a search file; ends in a newline.
 std::string FormatSearchFile(const SearchFile& file);

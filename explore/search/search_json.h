@@ -1,5 +1,5 @@
 // The JSON of search files: what writes it, and what reads it with the type and range of every
-// value. For search_text.cc. Tested by tests/explore/search_file_test.cc.
+// value. For search_text.cc and unit_search.cc. Tested by tests/explore/search_file_test.cc.
 #pragma once
 
 #include <fmt/format.h>

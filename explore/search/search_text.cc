@@ -20,7 +20,7 @@ namespace {
 using Json = SearchJson;
 
 constexpr std::string_view kKind = "oncard search";
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 /// Maximum nesting of objects and lists in a search file.
 constexpr int kNestingMax = 16;
@@ -76,6 +76,7 @@ void PutSamples(const SearchFile& file, SearchWriter* writer) {
   writer->PutKeys("ends", file.samples.ends);
   writer->PutEnds("results", file.samples.values);
   writer->PutList("failing", file.samples.failing);
+  writer->Put("failing_case", file.failing_case);
 }
 
 /// Before the checksum, which is the last value.
@@ -177,6 +178,8 @@ void SamplesFrom(SearchReader& reader, const SearchValue& value, SearchFile* fil
   file->samples.ends = reader.Keys(reader.Member(value, "ends"));
   file->samples.values = reader.Ends(reader.Member(value, "results"));
   file->samples.failing = reader.Threads(reader.Member(value, "failing"));
+  file->failing_case = reader.Whole<int64_t>(reader.Member(value, "failing_case"), 0,
+                                             runtime::Choices::kCasesMax - 1);
   if (reader.failed()) return;
   const int64_t left =
       file->held.size() > 1 ? 0 : RunsOfPart(file->runs, {file->held.front(), file->parts}).second;
@@ -195,21 +198,29 @@ std::vector<int> HeldFrom(SearchReader& reader, const SearchValue& value, int pa
   return held;
 }
 
-EngineKind EngineFrom(SearchReader& reader, const SearchValue& value) {
+EngineKind EngineFrom(SearchReader& reader, const SearchValue& value, bool in_units) {
   const auto engine = EngineNamed(reader.Text(value)).value_or(EngineKind::kAuto);
   switch (engine) {
     case EngineKind::kDpor:
+      return engine;
     case EngineKind::kRandom:
     case EngineKind::kPct:
     case EngineKind::kPos:
-      return engine;
+      if (!in_units) return engine;
+      break;
     case EngineKind::kAuto:
     case EngineKind::kStateful:
     case EngineKind::kBounded:
+      if (in_units) return engine;
+      break;
     case EngineKind::kFollow:
       break;
   }
-  reader.Fail(value, "dpor, random, pct or pos", "dpor、random、pct 或 pos");
+  if (in_units) {
+    reader.Fail(value, "auto, dpor, stateful or bounded", "auto、dpor、stateful 或 bounded");
+  } else {
+    reader.Fail(value, "dpor, random, pct or pos", "dpor、random、pct 或 pos");
+  }
   return EngineKind::kDpor;
 }
 
@@ -226,15 +237,20 @@ std::string FormatSearchFile(const SearchFile& file) {
   writer.PutText("engine", EngineName(file.engine));
   writer.Put("parts", file.parts);
   writer.PutList("held", file.held);
-  const bool traced = file.engine == EngineKind::kDpor;
-  writer.Next(traced ? "traces" : "samples");
-  writer.Open('{');
-  if (traced) {
-    PutTraces(file.traces, &writer);
+  if (file.units) {
+    PutUnits(*file.units, &writer);
   } else {
-    PutSamples(file, &writer);
+    const bool traced = file.engine == EngineKind::kDpor;
+    writer.Next(traced ? "traces" : "samples");
+    writer.Open('{');
+    if (traced) {
+      PutTraces(file.traces, &writer);
+    } else {
+      PutSamples(file, &writer);
+    }
+    writer.Close('}');
   }
-  writer.Close('}');
+  if (!file.remarks.empty()) PutRemarks(file.remarks, &writer);
   std::string text = writer.Take();
   const std::string check = CheckOf(text);
   return text.append(kCheck).append(check).append("\"}\n");
@@ -265,14 +281,21 @@ Result<SearchFile> ParseSearchFile(std::string_view text) {
   const SearchValue races = reader.Member(root, "races");
   file.races = reader.Text(races);
   if (!RaceRuleNamed(file.races)) reader.Fail(races, "any, benign or none", "any、benign 或 none");
-  file.engine = EngineFrom(reader, reader.Member(root, "engine"));
+  const SearchValue units = reader.Member(root, "units");
+  const bool in_units = !units.json().is_null();
+  file.engine = EngineFrom(reader, reader.Member(root, "engine"), in_units);
   file.parts = reader.Whole<int>(reader.Member(root, "parts"), 1, kPartMax);
   file.held = HeldFrom(reader, reader.Member(root, "held"), file.parts);
-  if (file.engine == EngineKind::kDpor) {
+  if (reader.failed()) return reader.error();
+  if (in_units) {
+    file.units = UnitsFrom(reader, units, file.held, file.parts);
+  } else if (file.engine == EngineKind::kDpor) {
     file.traces = TracesFrom(reader, reader.Member(root, "traces"));
   } else {
     SamplesFrom(reader, reader.Member(root, "samples"), &file);
   }
+  const SearchValue remarks = reader.Member(root, "remarks");
+  if (!remarks.json().is_null()) file.remarks = RemarksFrom(reader, remarks);
   if (reader.failed()) return reader.error();
   return file;
 }
