@@ -184,8 +184,13 @@ ClaimEntry Cases(const Findings& findings) {
   entry.lines.push_back(MakeMessage("for every choice of: {0}: {1} cases",
                                     "对以下各项的每种选择：{2}：共 {1} 种情形", choices.en,
                                     search.cases, choices.zh));
-  entry.lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
-                                    "计数为前 {0} 种情形之和", search.searched));
+  if (search.in_order || search.searched == search.cases) {
+    entry.lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
+                                      "计数为前 {0} 种情形之和", search.searched));
+  } else {
+    entry.lines.push_back(MakeMessage("{0} cases were searched; the counts are sums",
+                                      "已搜索 {0} 种情形；计数为总和", search.searched));
+  }
   return entry;
 }
 

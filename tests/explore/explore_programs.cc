@@ -50,6 +50,13 @@ CardModel CardOf(const std::string& source, const std::string& keys) {
   return Need(CardModel::Create(scenario, RequirementsOf(scenario), object));
 }
 
+LoadedScenario LoadedOf(const std::string& source, const std::string& keys) {
+  LoadedScenario loaded{Compiled(source), {}, {}};
+  loaded.scenario = ScenarioOf(source, keys, loaded.object);
+  loaded.requirements = RequirementsOf(loaded.scenario);
+  return loaded;
+}
+
 Findings FindingsOf(const std::string& source, const ExploreOptions& options) {
   const vm::Object object = Compiled(source);
   const CommentProblem read = Need(ReadComments("program.c", source, object));

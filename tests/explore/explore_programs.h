@@ -23,6 +23,14 @@ Findings FindingsOf(const std::string& source, const ExploreOptions& options);
 Findings FindingsOf(const std::string& source, const std::string& keys,
                     const ExploreOptions& options);
 
+/// A scenario as for CardOf(), with what it asks.
+struct LoadedScenario {
+  vm::Object object;
+  runtime::Scenario scenario;
+  std::vector<Requirement> requirements;
+};
+LoadedScenario LoadedOf(const std::string& source, const std::string& keys);
+
 /// The same where it may be refused.
 Result<Findings> TryFindingsOf(const std::string& source, const std::string& keys,
                                const ExploreOptions& options);
