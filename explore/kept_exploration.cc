@@ -14,6 +14,7 @@
 #include "explore/engines/walk.h"
 #include "explore/models/islands.h"
 #include "explore/scenario_exploration.h"
+#include "explore/search/search_check.h"
 #include "runtime/scenario/run/choices.h"
 #include "runtime/scenario/run/scenario_card.h"
 
@@ -424,6 +425,42 @@ Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreO
   }
   units.left = UnitsOfPart(units.units(), part.number, part.count);
   return file;
+}
+
+Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& file) {
+  const auto of = Cases::Of(searched);
+  if (!of.ok()) return of.error();
+  const Cases& cases = of.value();
+  if (!file.units && !IsRandom(file.engine)) {
+    return MakeError(1, "engine: this search is one of units; explore again",
+                     "engine：该搜索应按单元进行；请重新探索");
+  }
+  if (file.units && (file.units->cases != cases.count() ||
+                     (file.units->groups > 1 && !cases.with_card()))) {
+    return MakeError(1, "units: the program has {0} cases; explore again",
+                     "units：程序有 {0} 种情形；请重新探索", cases.count());
+  }
+  if (file.failing_case >= cases.count()) {
+    return MakeError(1, "samples.failing_case: the program has {0} cases; explore again",
+                     "samples.failing_case：程序有 {0} 种情形；请重新探索", cases.count());
+  }
+  SearchFile checked = file;
+  if (file.units) {
+    checked.units.reset();
+    checked.engine = EngineKind::kPos;
+    checked.samples = {};
+    if (file.units->found) {
+      for (const End& end : file.units->found->ends) checked.samples.values.Add(end);
+    }
+  }
+  if (cases.with_card()) {
+    auto card = cases.Card(file.failing_case);
+    if (!card.ok()) return card.error();
+    return CheckSamples(&card.value(), checked.samples);
+  }
+  const auto problem = cases.Program(file.failing_case);
+  if (!problem.ok()) return problem.error();
+  return CheckSearch(problem.value(), checked);
 }
 
 Result<Findings> GoOnByCases(const SearchedScenario& searched, const ExploreOptions& options,

@@ -37,6 +37,10 @@ Result<uint64_t> HashByCases(const SearchedScenario& searched);
 Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreOptions& options,
                                 const SearchPart& part);
 
+/// Checks what a file says of the program: its cases, results and failing run. Fails with
+/// what does not fit.
+Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& file);
+
 /// Continues a search until it is complete, fails, a limit is reached or it is interrupted. `keep`
 /// is called after each unit, and for random runs when SearchProgress::pausing is set. A unit that
 /// is not complete is begun again when the search is continued. Options that the file contains are

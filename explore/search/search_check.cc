@@ -111,6 +111,11 @@ class UnitCheck {
   int64_t depth_;
 };
 
+Error DoesNotFail() {
+  return MakeError(1, "failing: this run does not fail; explore again",
+                   "failing：该运行没有出错；请重新探索");
+}
+
 /// Checks the run with which the search is recorded as failed.
 Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& failing,
                           bool says_bad) {
@@ -124,13 +129,11 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
   }
   const bool fails = walk.fault() || (!problem.may_last && !EndlessWait(walk.model()).empty());
   if (fails && says_bad) return {};
-  return MakeError(1, "failing: this run does not fail; explore again",
-                   "failing：该运行没有出错；请重新探索");
+  return DoesNotFail();
 }
 
 /// Checks the results to be shown: they must have as many values as the program.
-Result<void> CheckEnds(const Problem& problem, const EndSet& ends) {
-  const size_t expected = EndOf(problem.model).size();
+Result<void> CheckEnds(size_t expected, const EndSet& ends) {
   for (size_t i = 0; i < ends.ends().size(); ++i) {
     const size_t found = ends.ends()[i].size();
     if (found == expected) continue;
@@ -143,6 +146,10 @@ Result<void> CheckEnds(const Problem& problem, const EndSet& ends) {
 }  // namespace
 
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t depth) {
+  if (file.units) {
+    return MakeError(1, "units: this search has none; explore again",
+                     "units：该搜索没有单元；请重新探索");
+  }
   for (size_t i = 0; i < file.traces.units.size(); ++i) {
     UnitCheck check(problem, depth);
     auto unit = check.Run(file.traces.units[i], fmt::format("units[{}]", i));
@@ -150,9 +157,24 @@ Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t
   }
   const bool random = file.engine != EngineKind::kDpor;
   const EndSet& ends = random ? file.samples.values : file.traces.ends;
-  if (auto checked = CheckEnds(problem, ends); !checked.ok()) return checked;
+  if (auto checked = CheckEnds(EndOf(problem.model).size(), ends); !checked.ok()) return checked;
   return CheckFailing(problem, random ? file.samples.failing : file.traces.failing,
                       (random ? file.samples.bad : file.traces.bad) > 0);
+}
+
+Result<void> CheckSamples(CardModel* model, const SampleCounts& samples) {
+  const size_t values = EndOf(*model, model->Start()).size();
+  if (auto checked = CheckEnds(values, samples.values); !checked.ok()) return checked;
+  if (samples.failing.empty() && samples.bad == 0) return {};
+  CardWalk walk(model, false);
+  for (size_t i = 0; i < samples.failing.size() && !walk.fault(); ++i) {
+    if (!CanStep(walk.choices(), samples.failing[i])) {
+      return NoSuchStep(fmt::format("failing[{}]", i), samples.failing[i]);
+    }
+    walk.Step(samples.failing[i]);
+  }
+  if (walk.fault() && samples.bad > 0) return {};
+  return DoesNotFail();
 }
 
 }  // namespace oncard::explore

@@ -17,4 +17,7 @@ namespace oncard::explore {
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file,
                          int64_t depth = ExploreOptions{}.depth_limit);
 
+/// The same for random runs of a program with its card: its results and the failing run.
+Result<void> CheckSamples(CardModel* model, const SampleCounts& samples);
+
 }  // namespace oncard::explore

@@ -56,6 +56,8 @@ class KeptExploration : public ::testing::Test {
     auto read = ParseSearchFile(FormatSearchFile(*file));
     EXPECT_TRUE(read.ok()) << read.error().message.en;
     *file = std::move(read).value();
+    const auto checked = CheckByCases(Searched(), *file);
+    EXPECT_TRUE(checked.ok()) << checked.error().message.en;
     auto found = GoOnByCases(
         Searched(), options, [](const SearchFile&) { return true; }, file);
     EXPECT_TRUE(found.ok()) << found.error().message.en;
@@ -252,6 +254,34 @@ TEST_F(KeptExploration, TheHashIsOfAllThatDecides) {
   std::string source = kLosers;
   source.replace(source.find("r + x"), 5, "r + 1");
   EXPECT_NE(hash(source, std::string(kHolds) + kFour), first);
+}
+
+TEST_F(KeptExploration, AFileThatDoesNotFitIsRefused) {
+  Load(kLosers, std::string(kHolds) + kFour);
+  const SearchFile units = Begin({});
+  SearchFile file = units;
+  file.units->cases = 5;
+  EXPECT_FALSE(CheckByCases(Searched(), file).ok());
+  file = units;
+  file.units.reset();
+  file.engine = EngineKind::kDpor;
+  EXPECT_FALSE(CheckByCases(Searched(), file).ok());
+  file = units;
+  file.units->found.emplace().ends = {{1, 2, 3, 4, 5, 6, 7}};
+  EXPECT_FALSE(CheckByCases(Searched(), file).ok());
+  SearchFile runs = Begin({.engine = EngineKind::kRandom, .runs = 8});
+  runs.failing_case = 4;
+  EXPECT_FALSE(CheckByCases(Searched(), runs).ok());
+  runs.failing_case = 0;
+  runs.samples.bad = 1;
+  runs.samples.failing = {0, 1};
+  EXPECT_FALSE(CheckByCases(Searched(), runs).ok());
+  // A unit that is said to fail and does not.
+  file = units;
+  file.units->failing = 0;
+  const auto found = ConcludeByCases(Searched(), {}, file);
+  ASSERT_FALSE(found.ok());
+  EXPECT_THAT(found.error().message.en, HasSubstr("the file says that unit 0 fails"));
 }
 
 }  // namespace
