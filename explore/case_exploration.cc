@@ -55,7 +55,8 @@ class CaseExploration {
     ExploreOptions options = options_;
     options.cases = cases_;
     if (all_) {
-      options.state_limit -= static_cast<uint32_t>(StatesUsed(all_->exploration));
+      options.states_before = StatesUsed(all_->exploration);
+      options.state_limit -= static_cast<uint32_t>(options.states_before);
       // A limit that is not below its default lets traces be counted without executing each.
       if (options.execution_limit < ExploreOptions{}.execution_limit) {
         options.execution_limit -= ExecutionsUsed(all_->exploration);
@@ -71,6 +72,14 @@ class CaseExploration {
 
   void Join(Findings next, std::shared_ptr<const runtime::Scenario> chosen) {
     untested_.Add(next.untested);
+    const bool stops = !stopped_ && next.exploration.verdict == Verdict::kIncomplete;
+    WayOut way;
+    std::optional<Reached> reached;
+    if (stops) {
+      stopped_ = true;
+      way = NameCase(choices_.DescribeCase(search_.searched), next.way_out);
+      reached = next.exploration.reached;
+    }
     const bool fails = next.exploration.failure.has_value();
     auto other = std::make_unique<Findings>(std::move(next));
     // What is shown is the case of the failure, otherwise the first one.
@@ -79,6 +88,10 @@ class CaseExploration {
     if (fails && is_shown) {
       search_.failing = choices_.DescribeCase(search_.searched);
       search_.scenario = std::move(chosen);
+    }
+    if (stops) {
+      all_->way_out = std::move(way);
+      all_->exploration.reached = std::move(reached);
     }
     if (other == nullptr) return;
     AddCase(std::move(other->exploration), &all_->exploration);
@@ -113,9 +126,16 @@ class CaseExploration {
   CaseSearch search_;
   std::unique_ptr<Findings> all_;  ///< of the cases so far
   UntestedInAll untested_;
+  bool stopped_ = false;  ///< a case is incomplete
 };
 
 }  // namespace
+
+WayOut NameCase(const Message& chosen, WayOut way) {
+  way.reached.insert(way.reached.begin(),
+                     MakeMessage("in the case {0}:", "在情形 {1} 中：", chosen.en, chosen.zh));
+  return way;
+}
 
 std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases) {
   const int64_t more = runs % cases;  // the first cases have one more

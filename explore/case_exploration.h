@@ -19,6 +19,9 @@ namespace oncard::explore {
 using CaseExplorer = std::function<Result<Findings>(const runtime::Scenario& scenario,
                                                     const ExploreOptions& options)>;
 
+/// What to do about a case that is incomplete, beginning with what was chosen in it.
+WayOut NameCase(const Message& chosen, WayOut way);
+
 /// The number of the first random run of a case, from 0, and its number of runs: run numbers go on
 /// from case to case.
 std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases);

@@ -85,6 +85,9 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   subject.card = CardConditionsOf(scenario);
   if (card.host()->cut())
     subject.card->until_us = card.controller().clock().UsOf(card.host()->end_cycle());
+  if (findings.exploration.verdict == Verdict::kIncomplete) {
+    findings.way_out = WayOutOf(subject, findings.exploration, options, &card);
+  }
   if (!sources.empty()) findings.source.text = sources.front().text;
   return findings;
 }

@@ -66,6 +66,11 @@ class Cases {
     return FindingsOf(chosen, problem.value(), std::move(exploration));
   }
 
+  /// Says in which case a search was ended.
+  void NameIn(int64_t number, WayOut* way) const {
+    if (any_open()) *way = NameCase(choices_.DescribeCase(number), std::move(*way));
+  }
+
   /// Says of the findings which cases they are of.
   void Describe(std::optional<int64_t> failing, int64_t searched, Findings* findings) const {
     explore::Describe(searched_.scenario, &findings->subject);
@@ -142,8 +147,8 @@ Result<Findings> ConcludeRuns(const Cases& cases, const SearchFile& file, Messag
     exploration.why = file.done() || why.en.empty() ? WhyNotProved(file) : std::move(why);
   }
   const int64_t number = fails ? file.failing_case : 0;
-  auto findings = cases.FindingsOfCase(number, std::move(exploration),
-                                       fails ? &file.samples.failing : nullptr);
+  auto findings =
+      cases.FindingsOfCase(number, std::move(exploration), fails ? &file.samples.failing : nullptr);
   if (!findings.ok()) return findings;
   // Which cases have had their runs is the same for all searches with so many.
   const int64_t searched = file.whole() && file.done() ? cases.count() : 0;
@@ -265,8 +270,9 @@ Result<Findings> ConcludeUnits(const Cases& cases, const ExploreOptions& options
   } else if (!file.done()) {
     sums.verdict = Verdict::kIncomplete;
     sums.why = WhyNotProved(file);
-    if (shown) sums.why = WhyEnded(file, shown->exploration.why);
-    if (!shown && IsToldToStop(options)) sums.why = WhyEnded(file, WhyIncomplete(options, {}));
+    if (shown || IsToldToStop(options)) {
+      sums.why = WhyEnded(file, WhyIncomplete(options, DescribeLimits(options)));
+    }
     if (shown) sums.reached = std::move(shown->exploration.reached);
   } else if (!file.whole()) {
     sums.verdict = Verdict::kPassed;
@@ -320,13 +326,14 @@ Result<Findings> GoOnUnits(const Cases& cases, const ExploreOptions& options,
   int64_t executions = 0;
   if (options.progress != nullptr) {
     options.progress->estimates = false;
-    options.progress->cases = units.units();
+    if (units.groups == 1) options.progress->cases = units.cases;
   }
   while (!file->done() && !IsToldToStop(options)) {
     const int64_t unit = units.left.front();
     if (options.progress != nullptr) options.progress->cases_done = UnitsSearched(*file);
     ExploreOptions rest = OptionsOfUnit(*file, unit, options);
-    rest.state_limit -= static_cast<uint32_t>(std::min<int64_t>(states, rest.state_limit));
+    rest.states_before = std::min<int64_t>(states, rest.state_limit);
+    rest.state_limit -= static_cast<uint32_t>(rest.states_before);
     if (rest.execution_limit < ExploreOptions{}.execution_limit) {
       rest.execution_limit = std::max<int64_t>(rest.execution_limit - executions, 0);
     }
@@ -336,6 +343,7 @@ Result<Findings> GoOnUnits(const Cases& cases, const ExploreOptions& options,
     states += StatesUsed(findings.exploration);
     executions += ExecutionsUsed(findings.exploration);
     if (findings.exploration.verdict == Verdict::kIncomplete) {
+      cases.NameIn(unit / units.groups, &findings.way_out);
       if (!shown) shown = std::move(findings);
       break;
     }
@@ -435,8 +443,8 @@ Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& fi
     return MakeError(1, "engine: this search is one of units; explore again",
                      "engine：该搜索应按单元进行；请重新探索");
   }
-  if (file.units && (file.units->cases != cases.count() ||
-                     (file.units->groups > 1 && !cases.with_card()))) {
+  if (file.units &&
+      (file.units->cases != cases.count() || (file.units->groups > 1 && !cases.with_card()))) {
     return MakeError(1, "units: the program has {0} cases; explore again",
                      "units：程序有 {0} 种情形；请重新探索", cases.count());
   }

@@ -18,6 +18,9 @@ constexpr int kLookedAt = 20'000;
 constexpr int kRepeated = 10;
 constexpr size_t kLoopsNamed = 3;
 
+/// Into so many parts a search is divided by the command line that is offered.
+constexpr int kPartsOffered = 8;
+
 /// Where the threads of a run are: of each its position in its function.
 class Loops {
  public:
@@ -87,11 +90,26 @@ std::vector<Message> NextOf(const Subject& subject, const Exploration& explorati
     const std::string line = fmt::format("oncard explore {} {}", file, words);
     next.push_back({line, line});
   };
+  // What is kept in a file goes on there.
+  const bool limited =
+      exploration.states && exploration.states->states >= int64_t{options.state_limit};
+  const std::string more =
+      fmt::format("--max-states={}", (options.states_before + int64_t{options.state_limit}) * 4);
+  if (!options.kept.empty()) {
+    const std::string line =
+        fmt::format("oncard explore {}{}{}", options.kept, limited ? " " : "", limited ? more : "");
+    next.push_back({line, line});
+  }
   const bool of_states =
       options.engine == EngineKind::kAuto || options.engine == EngineKind::kStateful;
   if (merges && options.merge_private == false) add("--engine=stateful --merge-private");
-  if (of_states && exploration.states && exploration.states->states >= options.state_limit) {
-    add(fmt::format("--max-states={}", uint64_t{options.state_limit} * 4));
+  if (of_states && limited && options.kept.empty()) add(more);
+  const bool by_cases = options.cases >= kPartsOffered;
+  if (of_states && options.kept.empty() && subject.record.empty() && (subject.card || by_cases)) {
+    const std::string parts = fmt::format("oncard explore {} {}--shard 1/{}", file,
+                                          by_cases ? "" : "--engine=stateful ", kPartsOffered);
+    next.push_back(MakeMessage("{0} and so on up to {1}/{1}, then --merge",
+                               "{0} 直至 {1}/{1}，再 --merge", parts, kPartsOffered));
   }
   if (options.engine != EngineKind::kBounded) {
     add("--engine=bounded");

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -88,6 +89,8 @@ struct ExploreOptions {
   bool all = false;
   /// kAuto: the first look is divided among so many searches.
   int64_t cases = 1;
+  /// States that were searched in other cases, by which `state_limit` is lower than for all.
+  int64_t states_before = 0;
   /// kAuto, kStateful, with a card: only one of `groups` groups of schedules, from 0
   /// (explore/engines/card_cut.h). What comes before them is counted in the first one.
   int group = 0;
@@ -99,6 +102,7 @@ struct ExploreOptions {
   uint64_t seed = SampleOptions{}.seed;
   int depth = SampleOptions{}.depth;  ///< kPct: 1..kPctDepthMax
 
+  std::string kept = {};  ///< the file in which the search is kept, as command lines name it
   const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to continue
   /// kAuto, kDpor: receives the progress of the search of traces when SearchProgress::pausing is
   /// set; the search then continues. It may be called from another thread.

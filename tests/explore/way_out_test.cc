@@ -56,9 +56,30 @@ TEST(WayOutTest, OfACardSaysHowFarItCameAndWhy) {
                           "far fewer states"));
   EXPECT_THAT(EnglishOf(way.next),
               ElementsAre("oncard explore test.toml --max-states=240",
+                          "oncard explore test.toml --engine=stateful --shard 1/8 and so on up to "
+                          "8/8, then --merge",
                           "oncard explore test.toml --engine=bounded",
                           "oncard explore test.toml --engine=pos --runs=100000",
                           "until_ms = 0.25 in the scenario"));
+}
+
+/// The first case has few states; in the others thread 0 polls.
+TEST(WayOutTest, OfCasesIsThatOfTheOneThatEndedTheSearch) {
+  std::string source = kPolling;
+  source.replace(source.find("go = 1"), 6, "go = go");
+  const Findings findings =
+      FindingsOf(source, "until_ms = 5\n[globals]\ngo = { any = [-1, 6] }\n",
+                 {.engine = EngineKind::kStateful, .state_limit = 400, .all = true});
+  ASSERT_EQ(findings.exploration.verdict, Verdict::kIncomplete);
+  ASSERT_EQ(findings.cases->searched, 2);
+  const std::vector<std::string> reached = EnglishOf(findings.way_out.reached);
+  ASSERT_GE(reached.size(), 2u);
+  EXPECT_EQ(reached[0], "in the case go = 0:");
+  EXPECT_THAT(reached[1], HasSubstr("every schedule up to"));
+  // The limit of all cases, and their choices are enough to be divided.
+  EXPECT_EQ(findings.way_out.next[0].en, "oncard explore test.toml --max-states=1600");
+  EXPECT_EQ(findings.way_out.next[1].en,
+            "oncard explore test.toml --shard 1/8 and so on up to 8/8, then --merge");
 }
 
 TEST(WayOutTest, TheInstantThatIsOfferedIsReached) {
@@ -101,7 +122,7 @@ TEST(WayOutTest, IsInEveryReportOfAnIncompleteSearchAlone) {
   EXPECT_THAT(TextReport(findings, Language::kChinese), HasSubstr("线程 0 在 program.c:4 处轮询"));
   EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<tr><th>try</th>"));
   const auto json = nlohmann::json::parse(JsonReport(findings));
-  EXPECT_EQ(json["try"].size(), 4u);
+  EXPECT_EQ(json["try"].size(), 5u);
   EXPECT_EQ(JsonReport(FindingsOf(kPolling, "", options)), JsonReport(findings));
   const Findings proved = FindingsOf(Increments(2, 1) + "//@ never: x == 3\n", {.all = true});
   EXPECT_FALSE(nlohmann::json::parse(JsonReport(proved)).contains("try"));
