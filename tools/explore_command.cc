@@ -1,9 +1,12 @@
 // oncard explore: checks whether any interleaving of the threads fails.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/files.h"
 #include "base/path_bytes.h"
@@ -158,6 +161,9 @@ int Report(const ExploreArguments& arguments, const Invocation& invocation,
   return refused != kExitOk ? refused : ExitCodeOf(findings.exploration.verdict);
 }
 
+/// How often a search by units is saved.
+constexpr std::chrono::seconds kUnitsKept{10};
+
 /// Continues a search that is kept in a file.
 int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
@@ -166,15 +172,24 @@ int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
   SearchWatch watch(invocation, {.shows = arguments.progress,
                                  .seconds = arguments.seconds,
                                  .memory_mib = arguments.memory_mib,
-                                 .pauses = true});
+                                 .pauses = !file.units});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
+  options.kept = path;
   int written = kExitOk;
   const auto keep = [&](const explore::SearchFile& present) {
     written = WriteOutput(invocation, path, explore::FormatSearchFile(present));
     return written == kExitOk;
   };
-  auto findings = GoOn(subject, options, keep, &file);
+  // Units are many, and most take a moment.
+  auto kept = std::chrono::steady_clock::now();
+  const auto keep_often = [&](const explore::SearchFile& present) {
+    const auto now = std::chrono::steady_clock::now();
+    if (present.units && now - kept < kUnitsKept) return true;
+    kept = now;
+    return keep(present);
+  };
+  auto findings = GoOn(subject, options, keep_often, &file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   if (written != kExitOk || !keep(file)) return written;
   return Report(arguments, invocation, subject, &findings.value());
@@ -216,8 +231,9 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Invocation& invocat
 int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
   ExploreSubject subject;
   explore::SearchFile file;
-  const int merged =
-      MergeSearches(invocation, arguments.paths, ReadingOf(arguments), &file, &subject);
+  std::vector<std::string> incomplete;
+  const int merged = MergeSearches(invocation, arguments.paths, ReadingOf(arguments), &file,
+                                   &subject, &incomplete);
   if (merged != kExitOk) return merged;
   if (!arguments.search.empty()) {
     const auto moved = MoveSearch(arguments.paths.front(), arguments.search, &file);
@@ -225,8 +241,24 @@ int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
     const int written = WriteOutput(invocation, arguments.search, explore::FormatSearchFile(file));
     if (written != kExitOk) return written;
   }
-  auto findings = ConcludeSearch(subject, file);
+  if (const bool fails = file.failed(); arguments.search.empty() && !fails && !file.whole()) {
+    return Fail(invocation, kExitUsage,
+                MakeMessage("of the {0} parts these are missing: {1}; merge their files, too, or "
+                            "save what is there with --search",
+                            "{0} 个部分中缺少：{1}；请一并合并其文件，或用 --search 保存已有部分",
+                            file.parts, explore::MissingParts(file)));
+  }
+  explore::ExploreOptions options = OptionsOf(arguments, subject);
+  SearchWatch watch(invocation, {.memory_mib = arguments.memory_mib});
+  options.progress = watch.progress();
+  auto findings = ConcludeSearch(subject, options, file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+  if (findings.value().exploration.verdict == explore::Verdict::kIncomplete) {
+    for (const std::string& part : incomplete) {
+      const std::string line = "oncard explore " + part;
+      findings.value().way_out.next.push_back({line, line});
+    }
+  }
   return Report(arguments, invocation, subject, &findings.value());
 }
 

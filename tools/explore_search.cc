@@ -4,10 +4,9 @@
 
 #include "base/files.h"
 #include "compiler/text.h"
+#include "explore/kept_exploration.h"
 #include "explore/scenario_exploration.h"
 #include "explore/search/search_check.h"
-#include "runtime/scenario/run/choices.h"
-#include "runtime/scenario/run/scenario_card.h"
 
 namespace oncard::tools {
 namespace {
@@ -19,44 +18,50 @@ runtime::Scenario At(const std::string& path) {
   return scenario;
 }
 
+explore::SearchedScenario SearchedOf(const ExploreSubject& subject) {
+  return {subject.scenario, subject.requirements, subject.object};
+}
+
 Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
-  if (runtime::NeedsCard(subject.scenario, subject.object)) {
-    return MakeError(
-        1,
-        "the search of a program with its card cannot be saved or split: explore it in one piece",
-        "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
-  }
-  const auto choices = runtime::Choices::Of(subject.scenario);
-  if (!choices.ok()) return choices.error();
-  if (!choices.value().empty()) {
-    return MakeError(
-        1,
-        "the search of all cases of choices cannot be saved or split: explore it in one "
-        "piece",
-        "对所有选择的搜索不能保存或拆分：请一次完成探索");
-  }
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
 }
 
+Result<uint64_t> HashOf(const ExploreSubject& subject) {
+  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
+  if (!by_cases.ok()) return by_cases.error();
+  if (by_cases.value()) return explore::HashByCases(SearchedOf(subject));
+  const auto problem = ProblemOf(subject);
+  if (!problem.ok()) return problem.error();
+  return explore::HashOf(problem.value());
+}
+
 /// The search file contains the path of the program and must be valid text.
-Result<void> CheckInput(const explore::SearchFile& file) {
-  if (compiler::IsUtf8(file.input)) return {};
+Result<void> CheckInput(const std::string& input) {
+  if (compiler::IsUtf8(input)) return {};
   return MakeError(1,
                    "the search of '{0}' cannot be saved: its path is not UTF-8, as a search file "
                    "must be; rename the file or its folder",
                    "无法保存“{0}”的搜索：其路径不是 UTF-8，而搜索文件必须是 UTF-8；"
                    "请重命名该文件或文件夹",
-                   file.input);
+                   input);
 }
 
 Error Prefixed(const std::string& path, const Message& message) {
   return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
 }
 
-/// Checks the file's data with its program. Returns the exit code.
-int Check(const Invocation& invocation, const std::string& path, const explore::Problem& problem,
+/// Checks the file's data with its program, whose hash it has. Returns the exit code.
+int Check(const Invocation& invocation, const std::string& path, const ExploreSubject& subject,
           const explore::SearchFile& file) {
-  const auto checked = explore::CheckSearch(problem, file);
+  const auto check = [&]() -> Result<void> {
+    const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
+    if (!by_cases.ok()) return by_cases.error();
+    if (by_cases.value()) return explore::CheckByCases(SearchedOf(subject), file);
+    const auto problem = ProblemOf(subject);
+    if (!problem.ok()) return problem.error();
+    return explore::CheckSearch(problem.value(), file);
+  };
+  const auto checked = check();
   if (checked.ok()) return kExitOk;
   return Fail(invocation, kExitUnreadable, Prefixed(path, checked.error().message).message);
 }
@@ -80,29 +85,30 @@ int ReadSearch(const Invocation& invocation, const std::string& path, SubjectRea
   const int found = ReadSubject(invocation, input, reading, subject);
   if (found != kExitOk) return found;
   subject->scenario.races = file->races;
-  const auto problem = ProblemOf(*subject);
-  if (!problem.ok()) return Fail(invocation, kExitUsage, problem.error().message);
-  if (explore::HashOf(problem.value()) != file->problem) {
+  const auto hash = HashOf(*subject);
+  if (!hash.ok()) return Fail(invocation, kExitUsage, hash.error().message);
+  if (hash.value() != file->problem) {
     return Fail(invocation, kExitFailed,
                 MakeMessage("{0} has changed since {1} was written: explore it again",
                             "{1} 写出之后 {0} 已改变：请重新探索", input, path));
   }
-  return Check(invocation, path, problem.value(), *file);
+  return Check(invocation, path, *subject, *file);
 }
 
 int MergeSearches(const Invocation& invocation, const std::vector<std::string>& paths,
-                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject) {
+                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject,
+                  std::vector<std::string>* incomplete) {
   const int read = ReadSearch(invocation, paths.front(), reading, file, subject);
   if (read != kExitOk) return read;
-  const auto problem = ProblemOf(*subject);
-  if (!problem.ok()) return Fail(invocation, kExitUsage, problem.error().message);
+  if (!file->done()) incomplete->push_back(paths.front());
   for (size_t i = 1; i < paths.size(); ++i) {
     const auto other = ReadFileOf(paths[i]);
     if (!other.ok()) return Fail(invocation, kExitUnreadable, other.error().message);
     if (other.value().problem == file->problem) {
-      const int checked = Check(invocation, paths[i], problem.value(), other.value());
+      const int checked = Check(invocation, paths[i], *subject, other.value());
       if (checked != kExitOk) return checked;
     }
+    if (!other.value().done()) incomplete->push_back(paths[i]);
     if (const auto merged = MergeInto(file, other.value()); !merged.ok()) {
       return Fail(invocation, kExitUsage, Prefixed(paths[i], merged.error().message).message);
     }
@@ -114,11 +120,19 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options) {
   using explore::EngineKind;
+  const std::string seen = runtime::PathToScenario(At(path), input);
+  if (auto checked = CheckInput(seen); !checked.ok()) return checked.error();
+  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
+  if (!by_cases.ok()) return by_cases.error();
+  if (by_cases.value()) {
+    auto begun = explore::BeginByCases(SearchedOf(subject), options, part);
+    if (begun.ok()) begun.value().input = seen;
+    return begun;
+  }
   const auto problem = ProblemOf(subject);
   if (!problem.ok()) return problem.error();
   explore::SearchFile file;
-  file.input = runtime::PathToScenario(At(path), input);
-  if (auto checked = CheckInput(file); !checked.ok()) return checked.error();
+  file.input = seen;
   file.problem = explore::HashOf(problem.value());
   file.races = subject.scenario.races;
   file.parts = part.count;
@@ -151,15 +165,29 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
                                const explore::ExploreOptions& options,
                                const explore::SearchKeeper& keep, explore::SearchFile* file) {
+  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
+  if (!by_cases.ok()) return by_cases.error();
+  if (by_cases.value()) return explore::GoOnByCases(SearchedOf(subject), options, keep, file);
   const auto problem = ProblemOf(subject);
   if (!problem.ok()) return problem.error();
   auto exploration = explore::GoOn(problem.value(), options, keep, file);
   if (!exploration.ok()) return exploration.error();
-  return FindingsOf(subject.scenario, problem.value(), std::move(exploration).value());
+  explore::Findings findings =
+      FindingsOf(subject.scenario, problem.value(), std::move(exploration).value());
+  if (findings.exploration.verdict == explore::Verdict::kIncomplete) {
+    explore::ExploreOptions of_file = options;
+    of_file.engine = file->engine;
+    findings.way_out = WayOutOf(findings.subject, findings.exploration, of_file, problem.value());
+  }
+  return findings;
 }
 
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
+                                         const explore::ExploreOptions& options,
                                          const explore::SearchFile& file) {
+  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
+  if (!by_cases.ok()) return by_cases.error();
+  if (by_cases.value()) return explore::ConcludeByCases(SearchedOf(subject), options, file);
   const auto problem = ProblemOf(subject);
   if (!problem.ok()) return problem.error();
   return FindingsOf(subject.scenario, problem.value(), Conclude(problem.value(), file));
@@ -168,7 +196,7 @@ Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
 Result<void> MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {
   const std::string input = runtime::PathFromScenario(At(from), file->input);
   file->input = runtime::PathToScenario(At(to), input);
-  return CheckInput(*file);
+  return CheckInput(file->input);
 }
 
 }  // namespace oncard::tools

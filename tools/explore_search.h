@@ -18,12 +18,14 @@ namespace oncard::tools {
 int ReadSearch(const Invocation& invocation, const std::string& path, SubjectReading reading,
                explore::SearchFile* file, ExploreSubject* subject);
 
-/// Reads the files of parts and merges them. Returns the exit code.
+/// Reads the files of parts and merges them; `incomplete` are those that must be continued. Returns
+/// the exit code.
 int MergeSearches(const Invocation& invocation, const std::vector<std::string>& paths,
-                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject);
+                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject,
+                  std::vector<std::string>* incomplete);
 
-/// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, the
-/// program needs its card, or its path is not UTF-8.
+/// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, as
+/// BeginByCases() (explore/kept_exploration.h), or if its path is not UTF-8.
 Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);
@@ -35,6 +37,7 @@ Result<explore::Findings> GoOn(const ExploreSubject& subject,
 
 /// The results of the parts in a file.
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
+                                         const explore::ExploreOptions& options,
                                          const explore::SearchFile& file);
 
 /// The same search for a file with another path. Fails if that file cannot refer to the explored

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/path_bytes.h"
+#include "explore/kept_exploration.h"
 #include "tools/explore_search.h"
 
 namespace oncard::tools {
@@ -37,6 +38,18 @@ bool AsksOnlyForEnds(const ExploreSubject& subject) {
 UnnamedSearch::UnnamedSearch(const Invocation& invocation, const std::string& input,
                              const ExploreSubject& subject, const explore::ExploreOptions& options)
     : invocation_(invocation), path_(FreeName(input)) {
+  const auto by_cases =
+      explore::IsKeptByCases({subject.scenario, subject.requirements, subject.object});
+  if (!by_cases.ok() || by_cases.value()) {
+    why_not_ = by_cases.ok() ? MakeMessage(
+                                   "with a card, or with choices, only a search that is begun with "
+                                   "--search or --shard is saved: oncard explore {0} --search {1}",
+                                   "带控制卡或有选择时，只保存以 --search 或 --shard 开始的搜索："
+                                   "oncard explore {0} --search {1}",
+                                   input, path_)
+                             : by_cases.error().message;
+    return;
+  }
   auto begun = BeginSearch(subject, input, path_, {}, options);
   if (!begun.ok()) {
     why_not_ = begun.error().message;

@@ -382,18 +382,5 @@ TEST(ExploreChoices, AFailureIsSavedAndReplayedWithItsChoice) {
   EXPECT_EQ(run({"test", "r.toml"}).exit_code, 1);
 }
 
-TEST(ExploreChoices, CannotBeKeptInFiles) {
-  const ScratchFolder scratch;
-  scratch.Write("p.c", "int g;\n//@ input: g = 0..3\nint t0()\n{\n  g = g + 1;\n  return 0;\n}\n");
-  for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--search", "s.search"}, {"--shard", "1/2"}}) {
-    std::vector<std::string> arguments = {"explore", "p.c"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProcessResult result = RunOncard(arguments, scratch.path());
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("explore it in one piece"));
-  }
-}
-
 }  // namespace
 }  // namespace oncard::tools

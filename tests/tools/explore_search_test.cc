@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -53,6 +55,14 @@ TEST_F(ExploreSearch, GoesOnFromItsFile) {
   EXPECT_EQ(done["traces"], 7134);
   EXPECT_EQ(done["blocked"], 0);
   EXPECT_EQ(done["final_full"], 5);
+}
+
+TEST_F(ExploreSearch, SaysWhichFilesAreToBeContinued) {
+  EXPECT_EQ(Explore({"inc.c", "--shard=1/2", "--max-executions=5"}).exit_code, 6);
+  EXPECT_EQ(Explore({"inc.c", "--shard=2/2"}).exit_code, 5);
+  const ProcessResult merged = Explore({"--merge", "inc.1-of-2.search", "inc.2-of-2.search"});
+  EXPECT_EQ(merged.exit_code, 6);
+  EXPECT_THAT(merged.out, HasSubstr("\ntry        oncard explore inc.1-of-2.search\n"));
 }
 
 TEST_F(ExploreSearch, PartsMakeTheWhole) {
@@ -174,8 +184,10 @@ TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
                  "[[thread]]\nthread = 1\nfunction = \"t1\"\n");
   const ProcessResult ended = Explore({"card.toml", "--time=0.2"});
   EXPECT_EQ(ended.exit_code, 6) << ended.out;
-  EXPECT_THAT(ended.err,
-              HasSubstr("the search could not be saved: the search of a program with its card"));
+  EXPECT_THAT(
+      ended.err,
+      HasSubstr("the search could not be saved: with a card, or with choices, only a search "
+                "that is begun with --search or --shard is saved"));
   // The verdict comes first where both are read together.
   const ProcessResult together = RunProgram(
       {"sh", "-c", "exec " ONCARD_BUILD_DIR "/bin/oncard explore card.toml --time=0.2 2>&1"},
@@ -219,9 +231,105 @@ TEST_F(ExploreSearch, AHostileFileIsRefused) {
   EXPECT_THAT(deep.err, HasSubstr("nested more than 16 deep"));
 }
 
-TEST_F(ExploreSearch, AProgramWithItsCardCannotBeSplit) {
-  scratch_.Write("card.c", "int t0() {\n  GT_AxisOn(1);\n  return 0;\n}\n");
-  EXPECT_EQ(Explore({"card.c", "--shard=1/2"}).exit_code, 2);
+/// A sample with choices, which the tests split.
+class ExploreAnyInstant : public ExploreSearch {
+ protected:
+  ExploreAnyInstant() {
+    for (const char* name : {"act_check.c", "act_check.toml", "check_act.c", "check_act.toml"}) {
+      std::ifstream file(std::string(ONCARD_SOURCE_DIR "/samples/50_any_instant/") + name);
+      scratch_.Write(name, {std::istreambuf_iterator<char>(file), {}});
+    }
+  }
+};
+
+TEST_F(ExploreAnyInstant, PartsMakeTheWhole) {
+  for (const char* part : {"1/3", "2/3", "3/3"}) {
+    EXPECT_EQ(Explore({"act_check.toml", "--shard", part}).exit_code, 5);
+  }
+  const ProcessResult some =
+      Explore({"--merge", "act_check.3-of-3.search", "act_check.1-of-3.search"});
+  EXPECT_EQ(some.exit_code, 2);
+  EXPECT_THAT(some.err, HasSubstr("of the 3 parts these are missing: 2"));
+  const ProcessResult all = Explore(
+      {"--merge", "act_check.3-of-3.search", "act_check.1-of-3.search", "act_check.2-of-3.search"});
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_EQ(all.out, Explore({"act_check.toml"}).out);
+}
+
+TEST_F(ExploreAnyInstant, AFaultOfOnePartIsOneOfTheWhole) {
+  // Case 36 fails, of 121, and others of the same kind that are not searched in its part.
+  EXPECT_EQ(Explore({"check_act.toml", "--shard=36/121"}).exit_code, 1);
+  EXPECT_EQ(Explore({"check_act.toml", "--shard=1/121"}).exit_code, 5);
+  // The others need not be there.
+  const auto merged = Json({"--merge", "check_act.1-of-121.search", "check_act.36-of-121.search"});
+  const auto whole = Json({"check_act.toml"});
+  EXPECT_EQ(merged["verdict"], "FAILED");
+  EXPECT_EQ(merged["choice"], whole["choice"]);
+  EXPECT_EQ(merged["schedule"], whole["schedule"]);
+}
+
+TEST_F(ExploreAnyInstant, GoesOnFromItsFile) {
+  const auto begun = Json({"act_check.toml", "--max-states=40000", "--search=kept.search"});
+  EXPECT_EQ(begun["verdict"], "INCOMPLETE");
+  EXPECT_GT(begun["cases_searched"], 0);
+  EXPECT_LT(begun["cases_searched"], 121);
+  const std::string again = Explore({"kept.search", "--max-states=10"}).out;
+  EXPECT_THAT(again, HasSubstr("reached    in the case gpi[1] = 1 at "));
+  EXPECT_THAT(again, HasSubstr("try        oncard explore kept.search --max-states=40\n"));
+  const ProcessResult done = Explore({"kept.search"});
+  EXPECT_EQ(done.exit_code, 0);
+  EXPECT_EQ(done.out, Explore({"act_check.toml"}).out);
+}
+
+TEST_F(ExploreAnyInstant, ASignalKeepsTheUnits) {
+  // As soon as the signal is handled, in some unit.
+  constexpr const char* kScript =
+      "\"$0\" explore act_check.toml --search=kept.search --no-islands & pid=$!\n"
+      "while caught=$(sed -n 's/^SigCgt:[^0-9a-f]*//p' /proc/$pid/status) &&\n"
+      "      test $(( 0x${caught:-0} >> 14 & 1 )) = 0; do :; done\n"
+      "kill -TERM $pid\n"
+      "wait $pid";
+  const ProcessResult ended =
+      RunProgram({"bash", "-c", kScript, ONCARD_BUILD_DIR "/bin/oncard"}, scratch_.path());
+  EXPECT_EQ(ended.exit_code, 6) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("it was interrupted; "));
+  ASSERT_TRUE(scratch_.Has("kept.search"));
+  EXPECT_EQ(Explore({"act_check.toml", "--search=kept.search"}).out,
+            Explore({"act_check.toml", "--no-islands"}).out);
+}
+
+TEST_F(ExploreAnyInstant, RandomRunsInPartsAreThoseInOnePiece) {
+  const std::vector<std::string> how = {"act_check.toml", "--engine=pos", "--runs=130"};
+  for (const char* part : {"1/2", "2/2"}) {
+    std::vector<std::string> arguments = how;
+    arguments.insert(arguments.end(), {"--shard", part});
+    EXPECT_EQ(Explore(arguments).exit_code, 5);
+  }
+  EXPECT_EQ(Json({"--merge", "act_check.1-of-2.search", "act_check.2-of-2.search"}), Json(how));
+}
+
+TEST_F(ExploreAnyInstant, AChangedScenarioIsRefused) {
+  EXPECT_EQ(Explore({"act_check.toml", "--shard=1/121"}).exit_code, 5);
+  std::string keys = scratch_.Read("act_check.toml");
+  keys.replace(keys.find("[10, 40]"), 8, "[10, 41]");
+  scratch_.Write("act_check.toml", keys);
+  const ProcessResult changed = Explore({"act_check.1-of-121.search"});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_THAT(changed.err, HasSubstr("has changed"));
+}
+
+TEST_F(ExploreSearch, SchedulesOfAProgramWithItsCardAreDivided) {
+  scratch_.Write("card.c",
+                 "int t0() {\n  GT_AxisOn(1);\n  return 0;\n}\n"
+                 "int t1() {\n  GT_AxisOn(2);\n  return 0;\n}\n");
+  for (const char* part : {"1/2", "2/2"}) {
+    EXPECT_EQ(Explore({"card.c", "--engine=stateful", "--shard", part}).exit_code, 5);
+  }
+  const auto merged = Json({"--merge", "card.1-of-2.search", "card.2-of-2.search"});
+  EXPECT_EQ(merged["verdict"], "PROVED");
+  EXPECT_EQ(merged["states_in_groups"], true);
+  EXPECT_EQ(Explore({"card.c", "--engine=bounded", "--shard=1/2", "--search=b.search"}).exit_code,
+            2);
 }
 
 }  // namespace

@@ -65,6 +65,44 @@ TEST(LaunchTest, LocalProcessesPassOptionsOn) {
   EXPECT_THAT(result.out, HasSubstr("random: 100 runs"));
 }
 
+/// A card, and a choice of four values.
+void WriteCard(const ScratchFolder& scratch) {
+  scratch.Write("card.c",
+                "int g, x;\n//@ input: x = 1..4\n//@ final: g == 2 * x\n"
+                "int t0() {\n  GT_AxisOn(1);\n  g = g + x;\n  return 0;\n}\n"
+                "int t1() {\n  g = g + x;\n  return 0;\n}\n");
+}
+
+void ExpectWholeCardSearch(const ScratchFolder& scratch, const std::string& merged) {
+  const auto whole =
+      RunProgram({ONCARD_BUILD_DIR "/bin/oncard", "explore", "card.c"}, scratch.path());
+  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_EQ(merged, whole.out);
+}
+
+TEST(LaunchTest, LocalProcessesForACardWithChoices) {
+  const ScratchFolder scratch;
+  WriteCard(scratch);
+  const ProcessResult result =
+      RunTemplate({kTemplates + "explore_local.sh", "card.c", "3"}, scratch);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  ExpectWholeCardSearch(scratch, result.out);
+}
+
+TEST(LaunchTest, TasksOfASlurmJobArrayForACardWithChoices) {
+  const ScratchFolder scratch;
+  WriteCard(scratch);
+  for (const char* task : {"1", "2", "3"}) {
+    const ProcessResult result =
+        RunTemplate({"sh", kTemplates + "explore_slurm.sh", "card.c"}, scratch,
+                    {std::string("SLURM_ARRAY_TASK_ID=") + task, "SLURM_ARRAY_TASK_MAX=3"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+  const ProcessResult merged = RunProgram(
+      {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard explore --merge *.search"}, scratch.path());
+  ExpectWholeCardSearch(scratch, merged.out);
+}
+
 TEST(LaunchTest, GnuParallel) {
   if (!Installed("parallel")) GTEST_SKIP() << "the package parallel is not installed";
   const ScratchFolder scratch;
