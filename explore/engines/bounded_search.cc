@@ -112,7 +112,10 @@ class BoundedSearch {
 }  // namespace
 
 BoundedCounts SearchBounded(const Problem& problem, const BoundedOptions& options) {
-  return BoundedSearch(ProgramWalk(problem), options).Run();
+  StatementCoverage coverage;
+  BoundedCounts counts = BoundedSearch(ProgramWalk(problem, &coverage), options).Run();
+  counts.coverage = std::move(coverage);
+  return counts;
 }
 
 BoundedCounts SearchCardBounded(CardModel* model, const BoundedOptions& options) {

@@ -13,6 +13,7 @@
 #include "explore/models/card_model.h"
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
+#include "explore/models/statement_coverage.h"
 
 namespace oncard::explore {
 
@@ -34,6 +35,7 @@ struct BoundedCounts {
   /// The threads of the failing schedule, as numbered by the model.
   std::vector<uint8_t> failing;
   bool complete = false;  ///< a fault was found, or the search was complete up to the bound
+  StatementCoverage coverage = {};  ///< without a card (CardModel::coverage())
 };
 
 BoundedCounts SearchBounded(const Problem& problem, const BoundedOptions& options);

@@ -77,8 +77,12 @@ FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop, int64
   if (problem.races == RaceRule::kBenign) return {};
   BoundedCounts few =
       SearchBounded(problem, {.state_limit = StatesFor(kProgramStates, cases), .stop = stop});
-  if (few.bad) return {std::move(few.failing), problem.races == RaceRule::kAny};
-  return {Sample(problem, Sampling(kProgramStatements / cases, stop)).failing, false};
+  if (few.bad) {
+    return {std::move(few.failing), problem.races == RaceRule::kAny, {}, std::move(few.coverage)};
+  }
+  SampleCounts samples = Sample(problem, Sampling(kProgramStatements / cases, stop));
+  samples.coverage.Include(few.coverage);
+  return {std::move(samples.failing), false, {}, std::move(samples.coverage)};
 }
 
 FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop, int64_t cases) {

@@ -24,6 +24,7 @@ struct FirstLook {
   bool fewest_preemptions = false;  ///< no schedule with fewer preemptions fails
   /// Instead of `failing`: a failing run that is too long to be simplified.
   std::optional<Failure> failure = {};
+  StatementCoverage coverage = {};  ///< without a card (CardModel::coverage())
 
   bool found() const { return !failing.empty() || failure; }
 };

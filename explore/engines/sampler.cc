@@ -133,10 +133,14 @@ void MergeInto(SampleCounts* samples, const SampleCounts& other) {
   samples->seed = other.seed;
   for (const End& end : other.values.ends()) samples->values.Add(end);
   TakeSimpler(other.failing, &samples->failing);
+  samples->coverage.Include(other.coverage);
 }
 
 SampleCounts Sample(const Problem& problem, const SampleOptions& options) {
-  return Sampler(ProgramWalk(problem), options).Run();
+  StatementCoverage coverage;
+  SampleCounts counts = Sampler(ProgramWalk(problem, &coverage), options).Run();
+  counts.coverage = std::move(coverage);
+  return counts;
 }
 
 SampleCounts SampleCard(CardModel* model, const SampleOptions& options) {

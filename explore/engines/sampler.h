@@ -21,6 +21,7 @@
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
+#include "explore/models/statement_coverage.h"
 #include "vm/thread_choice.h"
 
 namespace oncard::explore {
@@ -57,6 +58,7 @@ struct SampleCounts {
   EndSet values;  ///< of some of them, if there are no requirements on results
   /// The threads of the first failing run, as numbered by the model.
   std::vector<uint8_t> failing;
+  StatementCoverage coverage = {};  ///< without a card (CardModel::coverage())
 };
 
 /// Adds the results of other runs of the same sampler.

@@ -206,6 +206,7 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   search.counts.merged = limits.merge_private;
   Model model = problem.model;
   model.TrackKey(true);
+  model.NoteIn(&search.coverage);
   KeySet globals;
   KeySet full;
   RaceSearch races(problem);

@@ -11,6 +11,7 @@
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
 #include "explore/models/races.h"
+#include "explore/models/statement_coverage.h"
 
 namespace oncard::explore {
 
@@ -47,6 +48,7 @@ struct StateSearch {
   StateGraph graph;
   std::vector<FoundRace> races;
   EndSet ends;  ///< if there are no requirements on results
+  StatementCoverage coverage;
 };
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);

@@ -67,13 +67,17 @@ bool CountAll(const Problem& problem, const TraceSearchLimits& limits, size_t pa
       .depth = limits.depth,
       .tells_locals = std::ranges::any_of(problem.requirements, sees_locals),
       .stop = limits.stop};
-  const auto found = CountTraces(ModelOfTraces(problem), of_count, [&](const Model& state) {
+  Model model = ModelOfTraces(problem);
+  model.NoteIn(&search->coverage);
+  const auto found = CountTraces(model, of_count, [&](const Model& state) {
     ends.Add(problem, state);
     *bad = static_cast<bool>(FindFault(problem, state));
     return !*bad;
   });
   if (!found) return false;
+  StatementCoverage coverage = std::move(search->coverage);
   *search = {};
+  search->coverage = std::move(coverage);
   search->units.clear();
   search->executions = found->traces;
   search->counted = true;
@@ -97,6 +101,7 @@ TraceCounts TraceSearch::Counts() const {
 void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, TraceSearch* search) {
   Model model = ModelOfTraces(problem);
   model.TrackKey(false);
+  model.NoteIn(&search->coverage);
   const bool bad_at_once = static_cast<bool>(FindFault(problem, model));
   FoundEnds ends;
   ProgramWalk walk(problem);

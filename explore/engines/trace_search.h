@@ -13,6 +13,7 @@
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
+#include "explore/models/statement_coverage.h"
 
 namespace oncard::explore {
 
@@ -43,6 +44,8 @@ struct TraceSearch {
   EndSet ends;
   /// The threads of a failing execution, the shortest of the first thousand.
   std::vector<uint8_t> failing;
+  /// Of what was executed since the search began or was read from a file.
+  StatementCoverage coverage;
 
   bool complete() const { return units.empty() && !too_deep; }
   TraceCounts Counts() const;

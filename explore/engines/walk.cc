@@ -10,7 +10,9 @@ constexpr uint32_t kPlaceOfRaces = 0xfffffffa;
 
 }  // namespace
 
-ProgramWalk::ProgramWalk(const Problem& problem) : problem_(problem), model_(problem.model) {
+ProgramWalk::ProgramWalk(const Problem& problem, StatementCoverage* coverage)
+    : problem_(problem), model_(problem.model) {
+  if (coverage != nullptr) model_.NoteIn(coverage);
   marks_.push_back(Judge({}, {}));
   if (problem.races != RaceRule::kAny) detectors_.emplace_back(model_, problem.sync);
 }

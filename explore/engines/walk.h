@@ -20,7 +20,8 @@ namespace oncard::explore {
 /// A program without GT commands. The problem must outlive the walk.
 class ProgramWalk {
  public:
-  explicit ProgramWalk(const Problem& problem);
+  /// `coverage` notes the statements, if it is given, and must outlive the walk, too.
+  explicit ProgramWalk(const Problem& problem, StatementCoverage* coverage = nullptr);
 
   int thread_count() const { return model_.thread_count(); }
   /// Bit n: thread n of the model can execute the next statement.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <utility>
+#include <variant>
 
 #include "base/milliseconds.h"
 #include "explore/models/word_key.h"
@@ -131,6 +132,7 @@ void CardModel::KeepThreads(std::vector<ThreadSetup> threads) {
   image_ = machine.shared_image();
   scratch_ = std::make_unique<vm::MachineState>(machine.state());
   setups_ = std::move(threads);
+  if (image_ != nullptr) coverage_ = StatementCoverage(image_->object);
 }
 
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
@@ -423,6 +425,23 @@ Fault CardModel::JudgeAsserts(int thread) {
           thread};
 }
 
+void CardModel::NoteCoverage(int number) {
+  const vm::Machine& machine = controller_->machine();
+  const ThreadState& thread = machine.thread(number);
+  if (machine.image() != image_.get()) return;  // a host has loaded another program
+  const auto& instructions = image_->object.functions[thread.function].instructions;
+  if (thread.pc >= instructions.size()) return;
+  const vm::Instruction& next = instructions[thread.pc];
+  uint8_t bits = StatementCoverage::kExecuted;
+  if (HasTwoWays(next)) {
+    const auto& condition = std::get<vm::Variable>(next.operands[0]);
+    const bool global = condition.storage == vm::Storage::kGlobal;
+    const int64_t value = machine.ReadRaw({global, thread.page, condition.id});
+    bits |= value != 0 ? StatementCoverage::kHeld : StatementCoverage::kNotHeld;
+  }
+  coverage_.Note(thread.function, thread.pc, bits);
+}
+
 void CardModel::Execute(State* state, int thread) {
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
@@ -431,6 +450,7 @@ void CardModel::Execute(State* state, int thread) {
   state->served |= 1u << number;
   state->choices = 0;
   state->fault = JudgeAsserts(thread);
+  NoteCoverage(number);
   machine.ExecuteOne(number);
   // Threads that wake up at the end of their code finish.
   machine.Execute(0);
@@ -626,6 +646,7 @@ void CardModel::Include(const CardModel& island, const std::vector<size_t>& orig
     to.judged = to.judged || from.judged;
     to.mattered = to.mattered || from.mattered;
   }
+  coverage_.Include(island.coverage_);
   asserts_.Include(island.asserts_);
   refused_->Include(*island.refused_);
   supervisor_->Include(*island.supervisor_);

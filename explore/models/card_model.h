@@ -28,6 +28,7 @@
 #include "explore/models/problem.h"
 #include "explore/models/races.h"
 #include "explore/models/state_key.h"
+#include "explore/models/statement_coverage.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/scenario/run/assert_watch.h"
@@ -108,6 +109,9 @@ class CardModel {
   /// The part of it that concerns requirements, and those that were checked and have held so far.
   std::vector<Message> UntestedRequirements() const;
   std::vector<std::string> HeldSoFar() const;
+  /// The statements of the program that were executed in any of the steps that were taken, except
+  /// by AdvanceAlone().
+  const StatementCoverage& coverage() const { return coverage_; }
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
   /// What the supervisor has found in them.
@@ -224,6 +228,8 @@ class CardModel {
   void NoteWait(State* state, int thread) const;
   /// The fault of a thread's next statement if an assert before it does not hold.
   Fault JudgeAsserts(int thread);
+  /// Notes what the next statement of a thread does, by its number on the card.
+  void NoteCoverage(int number);
   /// Executes a statement and what then happens without threads.
   void Execute(State* state, int thread);
   /// Returns the statements of the cycle.
@@ -256,6 +262,7 @@ class CardModel {
   bool has_invariants_ = false;     ///< or kEventually
   bool counts_statements_ = false;  ///< a condition names how many were executed
   bool watches_card_ = false;       ///< a requirement on every state names more than the program
+  StatementCoverage coverage_;
   Horizon horizon_;
   int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
   bool others_end_runs_ =

@@ -291,6 +291,7 @@ CardSteps::Statement CardSteps::Execute(const Row& row, size_t place,
   } else {
     Load(row);
   }
+  model_.NoteCoverage(NumberOnCard(place));
   card_.machine().ExecuteOne(NumberOnCard(place));
   Statement statement;
   statement.thread = NumberOfThread(place);

@@ -219,6 +219,11 @@ std::optional<int64_t> Model::FailedOf(const std::vector<uint32_t>& checks) cons
   return std::nullopt;
 }
 
+void Model::NoteIn(StatementCoverage* coverage) {
+  if (coverage->empty()) *coverage = StatementCoverage(image_->object);
+  for (Thread& thread : threads_) thread.noted = coverage->BitsOf(Index(thread.setup.function));
+}
+
 bool Model::HasLoops() const {
   return std::ranges::any_of(threads_, [](const Thread& thread) {
     return std::ranges::any_of(thread.statements, [](const Statement& statement) {
@@ -363,6 +368,7 @@ ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
   int64_t a = 0;
   int64_t b = 0;
   int64_t next = cells_[thread.position_cell] + 1;
+  NoteNext(thread, StatementCoverage::kExecuted);
   if (!Load(statement.a, &a)) return ThreadEnd::kIndexOutOfBounds;
   switch (statement.opcode) {
     case Opcode::kUnary:
@@ -382,9 +388,11 @@ ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
       break;
     }
     case Opcode::kJump:
+      NoteCondition(thread, IntOf(a) != 0);
       if (IntOf(a) != 0) next += statement.displacement - 1;
       break;
     case Opcode::kReturn:
+      NoteCondition(thread, IntOf(a) != 0);
       if (IntOf(a) != 0) {
         if (!Load(statement.b, &b)) return ThreadEnd::kIndexOutOfBounds;
         Write(thread.result_cell, b);

@@ -23,6 +23,7 @@
 
 #include "base/result.h"
 #include "explore/models/state_key.h"
+#include "explore/models/statement_coverage.h"
 #include "vm/machine.h"
 #include "vm/object.h"
 
@@ -141,6 +142,11 @@ class Model {
     for (const uint32_t check : statement.after) visit(checks_[check]);
   }
 
+  /// From now on this model, and those copied from it, note each statement that they execute in
+  /// `coverage`, which must outlive them. If nothing is known there, it is as if nothing had been
+  /// executed.
+  void NoteIn(StatementCoverage* coverage);
+
   /// True if a thread can jump back: otherwise every run ends.
   bool HasLoops() const;
 
@@ -249,6 +255,7 @@ class Model {
     uint32_t result_cell = 0;
     uint32_t first_local = 0;  ///< cell of slot 0 of its page
     uint32_t local_count = 0;
+    uint8_t* noted = nullptr;  ///< StatementCoverage::BitsOf(); nullptr: nothing is noted
   };
   struct Change {
     uint32_t cell = 0;
@@ -277,6 +284,13 @@ class Model {
   /// Writes a cell whose value is restored by the marks.
   void Replace(uint32_t cell, int64_t value);
   void Finish(int thread, int64_t end);
+  /// Notes what a thread's next statement does (StatementCoverage).
+  void NoteNext(const Thread& thread, uint8_t bits) {
+    if (thread.noted != nullptr) thread.noted[cells_[thread.position_cell]] |= bits;
+  }
+  void NoteCondition(const Thread& thread, bool holds) {
+    NoteNext(thread, holds ? StatementCoverage::kHeld : StatementCoverage::kNotHeld);
+  }
   /// Executes a statement that is to be checked. Returns the thread's end.
   int64_t ExecuteChecked(const Statement& statement, const Thread& thread);
   ThreadEnd Execute(const Statement& statement, const Thread& thread);

@@ -145,6 +145,7 @@ void AddCase(Exploration next, Exploration* all) {
     all->verdict = next.verdict;
     all->why = std::move(next.why);
   }
+  all->coverage.Include(next.coverage);
   if (!all->failure) all->failure = std::move(next.failure);
 }
 

@@ -76,6 +76,7 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
                                            options.state_limit, options.depth_limit));
   }
   exploration.ends = bounded.ends.ends();
+  exploration.coverage = bounded.coverage;
   exploration.bounded = std::move(bounded);
   return exploration;
 }
@@ -158,6 +159,29 @@ std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
   return std::nullopt;
 }
 
+/// What a search has executed, by what does not depend on the clock as far as possible: the engine
+/// that is complete knows all, and beside a failure the states are searched to their end.
+StatementCoverage CoverageOf(const FirstLook& look, const std::optional<TraceSearch>& traces,
+                             const std::optional<StateSearch>& states, bool failed) {
+  if (states && (states->counts.complete || failed)) return states->coverage;
+  if (traces && (traces->complete() || !states)) return traces->coverage;
+  StatementCoverage coverage = states ? states->coverage : StatementCoverage();
+  if (traces) coverage.Include(traces->coverage);
+  if (!look.coverage.empty()) coverage.Include(look.coverage);
+  return coverage;
+}
+
+/// Adds the statements of a failure, which another search may have found.
+void IncludeFailure(const Problem& problem, Exploration* exploration) {
+  if (!exploration->failure || exploration->coverage.empty()) return;
+  Model model = problem.model;
+  model.NoteIn(&exploration->coverage);
+  for (const std::vector<uint8_t>* steps :
+       {&exploration->failure->steps, &exploration->failure->cycle}) {
+    for (const uint8_t thread : *steps) model.Step(thread);
+  }
+}
+
 Exploration Conclude(const Problem& problem, const ExploreOptions& options, const FirstLook& look,
                      std::optional<TraceSearch> traces, std::optional<StateSearch> states,
                      EngineKind engine) {
@@ -165,6 +189,9 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   exploration.engine = engine;
   if (traces) exploration.traces = traces->Counts();
   exploration.failure = FailureOf(problem, look, traces, states, HurriedOf(options.progress));
+  if (options.begun == nullptr) {
+    exploration.coverage = CoverageOf(look, traces, states, exploration.failure.has_value());
+  }
   if (traces) exploration.ends = traces->ends.ends();
   if (states) {
     if (states->counts.complete || !traces) exploration.ends = states->ends.ends();
@@ -220,6 +247,7 @@ void ShowInSingleStatements(const Problem& problem, const ExploreOptions& option
   exploration->ends = states.ends.ends();
   exploration->states = std::move(states.counts);
   exploration->races = std::move(states.races);
+  exploration->coverage = std::move(states.coverage);
 }
 
 }  // namespace
@@ -271,6 +299,7 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
   if (samples.bad == 0) exploration.why = DescribeSamples(samples);
   exploration.ends = samples.values.ends();
+  exploration.coverage = samples.coverage;
   exploration.samples = std::move(samples);
   return exploration;
 }
@@ -400,6 +429,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
       Conclude(problem, options, look, std::move(traces), std::move(states), engine);
   exploration.paired = paired;
   if (!options.merge_private) ShowInSingleStatements(problem, options, &exploration);
+  IncludeFailure(problem, &exploration);
   return exploration;
 }
 
@@ -648,6 +678,7 @@ void BoundByHorizon(const Horizon& horizon, Exploration* exploration) {
 
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
   Exploration exploration = SearchCard(model, options);
+  exploration.coverage = model->coverage();
   BoundByHorizon(model->horizon(), &exploration);
   return exploration;
 }

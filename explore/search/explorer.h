@@ -29,6 +29,7 @@
 #include "explore/models/card_model.h"
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
+#include "explore/models/statement_coverage.h"
 
 namespace oncard::explore {
 
@@ -137,6 +138,9 @@ struct Exploration {
   /// Different ends, the smallest few; if there are no requirements on results.
   std::vector<End> ends;
   std::optional<Failure> failure;
+  /// What was executed; with `islands` it may be more than the program executes. Empty if the
+  /// engine does not note it: of a search that was continued, and of one followed schedule.
+  StatementCoverage coverage;
 };
 
 /// The verdict of random schedules; the caller fills in the failure.
