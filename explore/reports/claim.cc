@@ -8,6 +8,7 @@
 
 #include "base/markup.h"
 #include "base/milliseconds.h"
+#include "explore/reports/coverage_text.h"
 
 namespace oncard::explore {
 namespace {
@@ -441,7 +442,9 @@ std::string ClaimText(const Findings& findings, Language language) {
 
 std::string ClaimHtml(const Findings& findings, Language language) {
   std::string html = "<table class=\"claim\">\n";
-  for (const ClaimEntry& entry : EntriesOf(findings)) {
+  std::vector<ClaimEntry> entries = EntriesOf(findings);
+  entries.push_back({{"coverage", "覆盖"}, DescribeCoverage(findings)});
+  for (const ClaimEntry& entry : entries) {
     html += fmt::format("<tr><th>{}</th><td>", EscapeMarkup(entry.label.In(language)));
     for (const Message& line : entry.lines) {
       html += (&line == &entry.lines.front() ? "" : "<br>") + EscapeMarkup(line.In(language));

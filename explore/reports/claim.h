@@ -15,7 +15,7 @@ namespace oncard::explore {
 /// For a terminal: labelled lines, then the different results; ends in a newline.
 std::string ClaimText(const Findings& findings, Language language);
 
-/// The same as a table and a list for an HTML page.
+/// The same as a table and a list for an HTML page, with what was executed (coverage_text.h).
 std::string ClaimHtml(const Findings& findings, Language language);
 
 /// Adds `asked` (`requirements`, `faults`, `endless` of such a program, `deadlock`, `livelock`,

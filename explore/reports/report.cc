@@ -7,6 +7,7 @@
 #include "base/json_text.h"
 #include "base/markup.h"
 #include "explore/reports/claim.h"
+#include "explore/reports/coverage_text.h"
 #include "explore/reports/failure_report.h"
 
 namespace oncard::explore {
@@ -109,6 +110,12 @@ constexpr std::string_view kPageStyle =
     "table.claim th { border: none; }\ntable.claim td { white-space: normal; }\n"
     "span.read { color: #555; }\n"
     "span.written { color: #06592a; }\n"
+    "@media (max-width: 600px) { body { margin: 1em; } table { display: block; overflow-x: auto; } "
+    "}\n"
+    "@media print {\n  @page { size: A4; margin: 15mm; }\n"
+    "  body { margin: 0; font-size: 9pt; }\n"
+    "  th, td, pre { white-space: pre-wrap; overflow-wrap: anywhere; }\n"
+    "  tr, svg { break-inside: avoid; }\n}\n"
     "h1.FAILED { color: #c00; }\nh1.PROVED, h1.PASSED { color: #06592a; }\n";
 
 }  // namespace
@@ -135,6 +142,7 @@ std::string JsonReport(const Findings& findings) {
   json["engine"] = EngineName(exploration.engine);
   for (const Message& remark : findings.untested) json["untested"].push_back(remark.en);
   AddClaim(findings, &json);
+  AddCoverage(findings, &json);
   if (const auto& traces = exploration.traces) {
     json["executions"] = traces->executions;
     json["blocked"] = traces->blocked;

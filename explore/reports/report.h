@@ -71,8 +71,8 @@ std::string TextReport(const Findings& findings, Language language,
 /// A JSON object: `verdict`, `engine`, the scope (claim.h), the counts of all engines that ran
 /// (`executions`, `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`,
 /// `bad_states`, `states_merged` if they are those of merged statements, and `states_in_groups` if
-/// some are counted in several groups of schedules; `final_globals`,
-/// `final_full`, `finals_pb0` ...; `races`), and of a failure `min_preemptions_to_bad` and
+/// some are counted in several groups of schedules; `final_globals`, `final_full`, `finals_pb0`
+/// ...; `races`), `coverage` (coverage_text.h), and of a failure `min_preemptions_to_bad` and
 /// `min_steps_to_bad` when they are exact, and its `schedule` of at most 10 000 segments.
 std::string JsonReport(const Findings& findings);
 
