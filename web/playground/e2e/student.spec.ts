@@ -203,6 +203,26 @@ test("exploring names the case of what a scenario leaves open", async ({ page })
   const verdict = page.locator(".verdict");
   await expect(verdict).toContainText("choice: n = 1");
   await expect(verdict.locator(".culprit")).toContainText(/thread \d wrote .* over thread/);
+  // The failing run is the one of this case.
+  await expect(page.getByText("A recording is being followed.")).toBeVisible();
+  await expect(page.getByLabel("Change n", { exact: true })).toHaveValue("1");
+});
+
+test("a run and a check say which case of a scenario they take", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int n;\nint main()\n{\n  return n;\n}\n");
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(
+    page,
+    'program = "program.c"\nglobals = { n = { any = [3, 9] } }\nexpect = ["ret0 == 4"]\n',
+  );
+  const taken = page.locator(".status").getByText("choice: n = 3", { exact: true });
+  await expect(taken).toBeVisible();
+  await page.getByRole("button", { name: "Check" }).click();
+  await expect(page.locator(".verdict")).toContainText("choice: n = 3");
+  await write(page, 'program = "program.c"\nexpect = ["ret0 == 0"]\n');
+  await expect(taken).toHaveCount(0);
 });
 
 test("a task is solved, and the progress stays", async ({ page }) => {

@@ -92,6 +92,7 @@ export function StatusLine() {
           </button>
         )}
       </span>
+      {session.choice.value !== "" && <span class="tag">{t.choice(session.choice.value)}</span>}
       {state?.follows_schedule && <span class="tag">{t.follows}</span>}
       {!keeps.value && <span class="tag bad">{t.notKept}</span>}
       <span class="grow" />

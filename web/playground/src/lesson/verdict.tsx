@@ -7,7 +7,7 @@ import { number, texts } from "../texts/texts.js";
 import { stopCheck, verdict } from "./checks.js";
 
 export function VerdictBox() {
-  const { lessons: t, explore: e, controls } = texts.value;
+  const { lessons: t, explore: e, controls, status } = texts.value;
   const said = verdict.value;
   if (said.kind === "none") return null;
   return (
@@ -23,6 +23,9 @@ export function VerdictBox() {
       {said.kind === "stopped" && <p>{e.stopped}</p>}
       {said.kind === "not-compiled" && <p class="bad">{t.broken}</p>}
       {said.kind === "refused" && <pre class="bad complaint">{said.message}</pre>}
+      {said.kind === "run" && said.run.choice !== undefined && (
+        <p class="muted">{status.choice(said.run.choice)}</p>
+      )}
       {said.kind === "run" &&
         (said.run.passed ? (
           <>

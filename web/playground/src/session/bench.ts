@@ -48,6 +48,8 @@ interface Session {
   /** What is on the card, or should be there soon. */
   project: Project | undefined;
   listing: ListedFunction[];
+  /** What was chosen of what the scenario leaves open; empty if it leaves nothing open. */
+  choice: string;
   /** Lines of the program before which a run stops, in their order. */
   breakpoints: readonly number[];
   /** Grows when values of the past may have changed: with each load, choice and change. */
@@ -70,6 +72,7 @@ const [session, changeSession] = slice<Session>({
   running: false,
   project: undefined,
   listing: [],
+  choice: "",
   breakpoints: [],
   history: 0,
 });
@@ -150,7 +153,7 @@ class Bench {
   #clear(notice: Notice): void {
     batch(() => {
       changePresent(nothing);
-      changeSession({ notice, listing: [], running: false });
+      changeSession({ notice, listing: [], choice: "", running: false });
     });
   }
 
@@ -226,7 +229,7 @@ class Bench {
           return;
         }
         this.#head = 0;
-        changeSession({ listing: await engine.listing() });
+        changeSession({ listing: await engine.listing(), choice: answer.choice ?? "" });
         await prepare?.(engine);
         this.#changeHistory();
         await this.#show(answer.state, { kind: "ready" });

@@ -82,6 +82,7 @@ export const en = {
     keptBefore: "The program has errors; the one before is still on the card.",
     edited: "The program was edited: it is loaded anew when it runs.",
     follows: "A recording is being followed.",
+    choice: (what: string) => `choice: ${what}`,
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     engineEnded: (why: string) =>
       `The simulated card has failed (${why}). The texts are kept; Run starts it again.`,

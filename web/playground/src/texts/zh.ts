@@ -83,6 +83,7 @@ export const zh: Texts = {
     keptBefore: "程序有错误，卡上仍是之前的程序。",
     edited: "程序已修改，运行时会重新装载。",
     follows: "正在按录制运行。",
+    choice: (what) => `选择：${what}`,
     warnings: (count) => `${count} 条警告`,
     engineEnded: (why) => `模拟的控制卡出了故障（${why}）。文本已保留；点“运行”会重新启动它。`,
     noEngine: (why) => `无法启动模拟的控制卡（${why}）。文本已保留；请重新载入页面再试。`,
