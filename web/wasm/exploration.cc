@@ -59,6 +59,7 @@ Result<Json> Explore(const Json& json, Language* language, std::vector<std::stri
   *missing = files.missing();
   if (!findings.ok()) return findings.error();
   findings.value().source = std::move(source);
+  if (const auto& wish = question.value().scenario.explore) answer["expected"] = wish->verdict;
   answer["report"] = Json::parse(explore::JsonReport(findings.value()));
   answer["text"] = explore::TextReport(findings.value(), *language);
   if (findings.value().exploration.failure) {

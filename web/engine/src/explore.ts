@@ -11,6 +11,8 @@ export interface ExploreAnswer extends Compiled {
     choice?: string;
     culprit?: string;
   };
+  /** The verdict that the scenario expects under `explore`; missing if it has no such key. */
+  expected?: "PROVED" | "PASSED" | "FAILED" | "INCOMPLETE";
   /** The report for people. */
   text?: string;
   /** If something fails: a schedule file beside `main` that repeats it. */

@@ -70,6 +70,12 @@ export class Documents {
   }
 }
 
+/** Whether `oncard test` explores a scenario instead of running it. */
+export function isExplored(scenario: string): boolean {
+  const keys = scenario.split(/^[ \t]*\[/m)[0] ?? "";
+  return /^[ \t]*explore\b/m.test(keys) || /^[ \t]*\[[ \t]*explore[ \t]*\]/m.test(scenario);
+}
+
 /** The program that a scenario names; a file that names none is no scenario for `oncard run`. */
 export function programOf(scenario: string): string | undefined {
   const keys = scenario.split(/^[ \t]*\[/m)[0] ?? "";

@@ -2,7 +2,7 @@ import { join } from "node:path";
 
 import { expect, test } from "vitest";
 
-import { Documents, type OpenDocument, programOf } from "../src/documents.js";
+import { Documents, isExplored, type OpenDocument, programOf } from "../src/documents.js";
 import { uriOf } from "../src/paths.js";
 import { folderOf, sample } from "./support.js";
 
@@ -50,6 +50,17 @@ test.each([
   ["axes = 8", undefined],
 ])("the program of %j is %s", (text, program) => {
   expect(programOf(text)).toBe(program);
+});
+
+test.each([
+  ['program = "p.c"\nexplore = "prove"\n', true],
+  ['program = "p.c"\nexplore = { verdict = "FAILED" }\n[[thread]]\n', true],
+  ['program = "p.c"\n[explore]\nengine = "dpor"\n', true],
+  ['program = "p.c"\n# explore = "prove"\n', false],
+  ['program = "p.c"\n[globals]\nexplore = 1\n', false],
+  ['program = "p.c"\nexplored = 1\n', false],
+])("a scenario is explored if it says so: %s", (text, is) => {
+  expect(isExplored(text)).toBe(is);
 });
 
 test("a TOML file without a program is no scenario", async () => {

@@ -42,9 +42,7 @@ export async function ran(engine: Engine, main: string): Promise<Outcome> {
 export function described({ diagnostics, run }: RunAnswer): Outcome {
   const lines = diagnostics.map(headline);
   if (!run) return { passed: false, lines };
-  if (run.choice !== undefined) {
-    lines.push(say({ en: `choice: ${run.choice}`, zh: `选择：${run.choice}` }));
-  }
+  if (run.choice !== undefined) lines.push(choiceLine(run.choice));
   lines.push(...run.warnings);
   for (const { expectation, message } of run.failures) {
     lines.push(expectation ? `${expectation}: ${message}` : message);
@@ -54,6 +52,11 @@ export function described({ diagnostics, run }: RunAnswer): Outcome {
   }
   lines.push(run.passed ? say({ en: "passed", zh: "通过" }) : say({ en: "failed", zh: "未通过" }));
   return { passed: run.passed, lines };
+}
+
+/** Which case of a scenario was run. */
+export function choiceLine(choice: string): string {
+  return say({ en: `choice: ${choice}`, zh: `选择：${choice}` });
 }
 
 export async function explored(

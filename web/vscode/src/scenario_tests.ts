@@ -1,10 +1,11 @@
-// Scenarios as tests: each is run by the engine, and what does not hold is shown at its line.
+// Scenarios as tests, as `oncard test` has them: each is run by the engine, or explored if it says so,
+// and what does not hold is shown at its line.
 // Tested by test/scenario_tests.test.ts.
 
-import type { Engine } from "@oncard/engine";
+import type { Compiled, Engine } from "@oncard/engine";
 import { RefusedError, type RunAnswer } from "@oncard/engine";
 import { placedMistakes } from "@oncard/language-server/refusals";
-import { programOf } from "@oncard/language-server/documents";
+import { isExplored, programOf } from "@oncard/language-server/documents";
 import {
   type CancellationToken,
   type Disposable,
@@ -22,8 +23,8 @@ import {
 
 import { startDebugging } from "./debug";
 import type { Engines } from "./engines";
-import { described, headline } from "./runs";
-import { say } from "./texts";
+import { choiceLine, described, headline } from "./runs";
+import { language, say } from "./texts";
 
 const scenarios = "**/*.toml";
 
@@ -84,33 +85,50 @@ async function runAll(
 ): Promise<void> {
   const run = controller.createTestRun(request);
   const engine = await engines.open();
-  // An endless run ends with its engine.
-  token.onCancellationRequested(() => {
+  // Only the module explores; it is started for the first scenario that needs it.
+  let explorer: Promise<Engine> | undefined;
+  const judges = { engine, explorer: () => (explorer ??= engines.openModule()) };
+  const close = () => {
     engine.close();
-  });
+    explorer?.then(
+      (started) => {
+        started.close();
+      },
+      () => undefined, // said of the scenario that needed it
+    );
+  };
+  // An endless run ends with its engine.
+  token.onCancellationRequested(close);
   try {
     for (const item of wanted(controller, request)) {
       if (token.isCancellationRequested) break;
       run.started(item);
-      const messages = await failuresOf(engine, item);
+      const messages = await failuresOf(judges, item);
       if (messages.length === 0) run.passed(item);
       else run.failed(item, messages);
     }
   } finally {
-    engine.close();
+    close();
     run.end();
   }
 }
 
+/** The engine for runs, and the one that explores. */
+interface Judges {
+  engine: Engine;
+  explorer(): Promise<Engine>;
+}
+
 /** Nothing if the scenario is fulfilled. */
-async function failuresOf(engine: Engine, item: TestItem): Promise<TestMessage[]> {
+async function failuresOf(judges: Judges, item: TestItem): Promise<TestMessage[]> {
   const uri = item.uri;
   if (!uri) return [];
   try {
-    const answer = await engine.run({ main: uri.fsPath.replaceAll("\\", "/") });
-    if (answer.run?.passed) return [];
+    const main = uri.fsPath.replaceAll("\\", "/");
     const text = new TextDecoder().decode(await workspace.fs.readFile(uri));
-    return messagesOf(answer, uri, text);
+    if (isExplored(text)) return await failuresOfSearch(await judges.explorer(), main, uri, text);
+    const answer = await judges.engine.run({ main });
+    return answer.run?.passed ? [] : messagesOf(answer, uri, text);
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
     const placed = error instanceof RefusedError ? placedMistakes(why) : [];
@@ -120,14 +138,36 @@ async function failuresOf(engine: Engine, item: TestItem): Promise<TestMessage[]
   }
 }
 
+/** Nothing if the verdict is the one that the scenario expects. */
+async function failuresOfSearch(
+  explorer: Engine,
+  main: string,
+  uri: Uri,
+  scenario: string,
+): Promise<TestMessage[]> {
+  const answer = await explorer.explore({ main }, language());
+  const { report, expected = "PROVED", text = "" } = answer;
+  if (!report) return mistakesOf(answer);
+  if (report.verdict === expected) return [];
+  const what = say({ en: `the verdict should be ${expected}:`, zh: `结论应为 ${expected}：` });
+  // There is one: it was asked for.
+  const at = scenario.split("\n").findIndex((line) => /^[ \t]*\[?[ \t]*explore\b/.test(line));
+  return [placedMessage(`${what}\n${text.trimEnd()}`, uri, at + 1)];
+}
+
+/** The errors of a program, at their places. */
+function mistakesOf({ diagnostics }: Compiled): TestMessage[] {
+  return diagnostics
+    .filter(({ severity }) => severity === "error")
+    .map((each) => placedMessage(headline(each), Uri.file(each.file), each.line));
+}
+
 function messagesOf(answer: RunAnswer, uri: Uri, scenario: string): TestMessage[] {
-  if (!answer.run) {
-    return answer.diagnostics
-      .filter(({ severity }) => severity === "error")
-      .map((each) => placedMessage(headline(each), Uri.file(each.file), each.line));
-  }
-  const messages = answer.run.failures.map(({ expectation, message }) => {
-    const text = expectation ? `${expectation}: ${message}` : message;
+  if (!answer.run) return mistakesOf(answer);
+  const { choice, failures } = answer.run;
+  const messages = failures.map(({ expectation, message }) => {
+    const said = expectation ? `${expectation}: ${message}` : message;
+    const text = choice === undefined ? said : `${said}\n${choiceLine(choice)}`;
     return placedMessage(text, uri, lineOf(scenario, expectation));
   });
   return messages.length > 0

@@ -325,6 +325,18 @@ describe("the test explorer", () => {
     expect(first?.location).toMatchObject({ range: { start: { line: 2 } } });
   });
 
+  test("says which case of a scenario does not hold", async () => {
+    const copy = newFolder();
+    writeFileSync(join(copy, "p.c"), "int n;\nint f()\n{\n  return n;\n}\n");
+    writeFileSync(
+      join(copy, "a.toml"),
+      'program = "p.c"\nglobals = { n = { any = [3, 9] } }\nexpect = ["ret0 == 4"]\n',
+    );
+    const { "a.toml": messages } = await run(join(copy, "a.toml"));
+    const [first] = messages as TestMessage[];
+    expect(first?.message).toBe("ret0 == 4: thread0.result is 3\nchoice: n = 3");
+  });
+
   test("shows mistakes of the scenario and of the program at their places", async () => {
     const copy = newFolder();
     writeFileSync(join(copy, "a.toml"), 'program = "p.c"\nexpec = []\n');

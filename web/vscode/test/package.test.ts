@@ -20,7 +20,15 @@ import {
 
 import { Engines } from "../src/engines";
 import { registerFeatures } from "../src/features";
-import { type CustomExecution, editor, type Task, Uri } from "./fake_vscode.js";
+import {
+  type CustomExecution,
+  editor,
+  type Task,
+  type TestMessage,
+  TestRunProfileKind,
+  Uri,
+  workspace,
+} from "./fake_vscode.js";
 import {
   filesIn,
   newFolder,
@@ -169,6 +177,26 @@ describe.skipIf(withoutModule)("the package", () => {
     const program = join(folder, "lost.schedule");
     expect(editor.launched).toMatchObject([{ type: "oncard", program }]);
     expect(readFileSync(program, "utf8")).toMatch(/^run 0 4\nnext 16 1 sum = copy \+ i;$/m);
+  });
+
+  // As `oncard test`: lost.toml expects FAILED, and the run by turns gives the right sum.
+  test("the test explorer explores the scenarios that say so", async () => {
+    const folder = copyOf("26_lost_update");
+    const scenario = join(folder, "lost.toml");
+    const proved = join(folder, "proved.toml");
+    const text = readFileSync(scenario, "utf8");
+    writeFileSync(proved, text.replace(/^explore.*$/m, 'explore = "prove"'));
+    workspace.files = [scenario, proved].map((path) => Uri.file(path));
+    registerFeatures(new Engines(installed));
+    const [controller] = editor.controllers;
+    await controller?.resolveHandler();
+    const token = { isCancellationRequested: false, onCancellationRequested: () => undefined };
+    await controller?.profiles.get(TestRunProfileKind.Run)?.({}, token);
+    const { "lost.toml": first, "proved.toml": second } = controller?.results ?? {};
+    expect(first).toBe("passed");
+    const [message] = second as TestMessage[];
+    expect(message?.message).toMatch(/^the verdict should be PROVED:\nFAILED\n/);
+    expect(message?.location).toMatchObject({ range: { start: { line: 3 } } });
   });
 
   test.each([
