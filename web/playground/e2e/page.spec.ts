@@ -1,5 +1,7 @@
 // The page itself: links, languages, colours, narrow screens, keys.
 
+import { readFileSync } from "node:fs";
+
 import { expect, test } from "@playwright/test";
 
 import {
@@ -235,4 +237,36 @@ test("everything can be done with keys", async ({ page }) => {
   await expect(cursor).toHaveAttribute("aria-valuenow", "0");
   await page.keyboard.press("ArrowRight");
   await expect(cursor).toHaveAttribute("aria-valuenow", "1");
+});
+
+test("an axis with a unit is shown in it: machine, scope, CSV and picture", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  const scenario = 'program = "program.c"\n[[world.axis]]\naxis = 1\nunit = "mm"\n';
+  await write(page, `${scenario}pulses_per_unit = 1000\n`);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+  // 50 000 pulses.
+  await expect(page.locator('output[data-axis="1"]')).toHaveText("50 mm");
+  await expect(page.locator(".stage").first().locator(".rail-text").last()).toHaveText("100");
+  const channel = page.getByRole("group", { name: "axis1.prfVel" });
+  await expect(channel.locator(".unit")).toHaveText("mm/s");
+
+  const saved = async (name: string) => {
+    const download = page.waitForEvent("download");
+    await page.getByRole("button", { name }).click();
+    return readFileSync(await (await download).path());
+  };
+  const [head = "", ...rows] = (await saved("CSV")).toString().trim().split("\n");
+  expect(head.split(",")).toContain("axis1.prfVel [mm/s] max");
+  expect(head).toMatch(/^time \[ms\],/);
+  // 50 pulse/ms.
+  const column = head.split(",").indexOf("axis1.prfVel [mm/s] max");
+  expect(Math.max(...rows.map((row) => Number(row.split(",")[column])))).toBe(50);
+  // A line of 18 pixels for the title and each channel, and half of one; the height is at byte 20.
+  const lines = 1 + (await page.locator(".channels .dot").count());
+  const screen = await page.locator(".screen canvas").evaluate((canvas) => canvas.clientHeight);
+  expect((await saved("PNG")).readUInt32BE(20)).toBe(screen + lines * 18 + 9);
 });

@@ -1,7 +1,16 @@
 import type { Card } from "@oncard/engine";
 import { expect, test } from "vitest";
 
-import { axesNamed, axesOf, grown, isUsed, pin, placeOn, roundUp } from "../src/machine/axes.js";
+import {
+  axesNamed,
+  axesOf,
+  grown,
+  isUsed,
+  pin,
+  placeOn,
+  positionText,
+  roundUp,
+} from "../src/machine/axes.js";
 
 const card: Card = {
   parts: [1, 2].map((number) => ({
@@ -33,6 +42,7 @@ test("axes are shown in their units", () => {
   ];
   const [axis] = axesOf({ ...card, parts: [{ part: "axis", number: 1, values }] });
   expect(axis).toMatchObject({ positionUnit: "mm", velocityUnit: "mm/s" });
+  expect(axis && positionText(axis)).toBe("12.5 mm");
 });
 
 test("pins count from 1", () => {
@@ -58,9 +68,14 @@ test.each([
 });
 
 test("a stage grows and never shrinks", () => {
-  const grownOnce = grown(undefined, 30_000);
+  const grownOnce = grown(undefined, 30_000, "pulse");
   expect(grownOnce).toEqual({ least: 0, largest: 50_000 });
-  expect(grown(grownOnce, 10)).toEqual(grownOnce);
-  expect(grown(grownOnce, -1500)).toEqual({ least: -2000, largest: 50_000 });
+  expect(grown(grownOnce, 10, "pulse")).toEqual(grownOnce);
+  expect(grown(grownOnce, -1500, "pulse")).toEqual({ least: -2000, largest: 50_000 });
   expect(placeOn(grownOnce, 25_000)).toBe(0.5);
+});
+
+test("a stage of an axis that has a unit reaches as far as machines do", () => {
+  expect(grown(undefined, 12.5, "mm")).toEqual({ least: 0, largest: 100 });
+  expect(grown(undefined, 330, "mm")).toEqual({ least: 0, largest: 500 });
 });

@@ -5,7 +5,9 @@ import {
   csvOf,
   extremes,
   inDivisions,
+  legendOf,
   readingAt,
+  unitsOf,
   unitsPerDivision,
 } from "../src/scope/channels.js";
 
@@ -43,8 +45,30 @@ test("there is no reading of a channel that is not shown", () => {
 });
 
 test("CSV has a row for each part", () => {
-  expect(csvOf(sweep)).toBe("time_ms,v.min,v.max\n0,0,0\n2,10,20\n4,-3,50\n6,40,40\n");
-  expect(csvOf({ ...sweep, channels: [] })).toBe("time_ms\n");
+  const units = new Map([["v", "mm/s"]]);
+  const rows = "0,0,0\n2,10,20\n4,-3,50\n6,40,40\n";
+  expect(csvOf(sweep, units)).toBe(`time [ms],v [mm/s] min,v [mm/s] max\n${rows}`);
+  expect(csvOf(sweep, new Map())).toBe(`time [ms],v min,v max\n${rows}`);
+  expect(csvOf({ ...sweep, channels: [] }, units)).toBe("time [ms]\n");
+});
+
+test("the legend of the picture says what a division is", () => {
+  const settings = [
+    { name: "v", offset: 0 },
+    { name: "gone", offset: 0 },
+  ];
+  expect(legendOf(sweep, settings, new Map([["v", "mm/s"]]))).toEqual(["v: 20 mm/s/div", "gone"]);
+  expect(legendOf(sweep, settings, new Map())).toEqual(["v: 20/div", "gone"]);
+});
+
+test("values of the card have the units that it says", () => {
+  const values = [
+    { name: "prfPos", path: "axis1.prfPos", value: 12.5, unit: "mm" },
+    { name: "sts", path: "axis1.sts", value: 0 },
+  ];
+  const card = { parts: [{ part: "axis", number: 1, values }], words: [], switches: [] };
+  expect(unitsOf(card)).toEqual(new Map([["axis1.prfPos", "mm"]]));
+  expect(unitsOf(undefined).size).toBe(0);
 });
 
 test("channels are the values of the card and the variables", () => {

@@ -3,6 +3,8 @@
 
 import type { Card, CardPart } from "@oncard/engine";
 
+import { number } from "../texts/texts.js";
+
 export interface AxisView {
   axis: number;
   position: number;
@@ -78,13 +80,27 @@ export function roundUp(value: number): number {
   return factor * power;
 }
 
+/** How far a stage reaches at first, in the unit of its axis. */
+function firstReach(unit: string): Reach {
+  return { least: 0, largest: unit === "pulse" ? 10_000 : 100 };
+}
+
 /** The reach that also contains a position: stages grow, they never shrink. */
-export function grown(reach: Reach | undefined, position: number): Reach {
-  const { least, largest } = reach ?? { least: 0, largest: 10_000 };
+export function grown(reach: Reach | undefined, position: number, unit: string): Reach {
+  const { least, largest } = reach ?? firstReach(unit);
   return {
     least: position < least ? -roundUp(-position) : least,
     largest: position > largest ? roundUp(position) : largest,
   };
+}
+
+/** A position without its unit: of pulses, a tenth is enough. */
+export function positionNumber({ position, positionUnit }: AxisView): string {
+  return number(position, positionUnit === "pulse" ? 1 : 3);
+}
+
+export function positionText(axis: AxisView): string {
+  return `${positionNumber(axis)} ${axis.positionUnit}`;
 }
 
 /** Where a position is on its stage, from 0 to 1. */

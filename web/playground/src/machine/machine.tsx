@@ -27,7 +27,9 @@ effect(() => {
     used.value = new Set([...before, ...fresh.map(({ axis }) => axis)]);
   const old = isStart ? new Map<number, Reach>() : reaches.peek();
   const next = new Map(old);
-  for (const { axis, position } of axes) next.set(axis, grown(old.get(axis), position));
+  for (const { axis, position, positionUnit } of axes) {
+    next.set(axis, grown(old.get(axis), position, positionUnit));
+  }
   reaches.value = next;
 });
 
@@ -72,8 +74,8 @@ export function MachinePanel() {
   );
 }
 
-function reachOf({ axis, position }: AxisView): Reach {
-  return grown(reaches.value.get(axis), position);
+function reachOf({ axis, position, positionUnit }: AxisView): Reach {
+  return grown(reaches.value.get(axis), position, positionUnit);
 }
 
 function Words({ card }: { card: Card }) {

@@ -1,7 +1,14 @@
 // A linear stage: a carriage between two limit switches, with an arrow as long as it is fast.
 
 import { number, texts } from "../texts/texts.js";
-import { type AxisView, placeOn, type Reach, roundUp } from "./axes.js";
+import {
+  type AxisView,
+  placeOn,
+  positionNumber,
+  positionText,
+  type Reach,
+  roundUp,
+} from "./axes.js";
 
 const width = 400;
 const left = 18;
@@ -21,7 +28,7 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
     ...(axis.alarm ? [[t.alarm, "bad"]] : []),
     ...(axis.followingError ? [[t.followingError, "bad"]] : []),
   ];
-  const position = number(axis.position, 1);
+  const position = positionNumber(axis);
   const velocity = number(axis.velocity, 2);
   return (
     <div class="stage">
@@ -45,11 +52,7 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
       <svg
         viewBox={`0 0 ${width} 40`}
         role="img"
-        aria-label={t.stage(
-          axis.axis,
-          `${position} ${axis.positionUnit}`,
-          `${velocity} ${axis.velocityUnit}`,
-        )}
+        aria-label={t.stage(axis.axis, positionText(axis), `${velocity} ${axis.velocityUnit}`)}
         class="rail"
       >
         <rect x={left} y="24" width={right - left} height="4" class="rail-bed" />

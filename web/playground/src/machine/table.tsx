@@ -2,8 +2,8 @@
 
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
-import { number, texts } from "../texts/texts.js";
-import { type AxisView, grown, placeOn, type Reach } from "./axes.js";
+import { texts } from "../texts/texts.js";
+import { type AxisView, grown, placeOn, positionText, type Reach } from "./axes.js";
 
 const size = 200;
 const edge = 8;
@@ -18,8 +18,8 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
   const { machine: t } = texts.value;
   const path = usePath(x.axis, y.axis);
   // A fast run goes further between two pictures than any of them shows.
-  const reachX = path.reduce((reach, [at]) => grown(reach, at), props.reachX);
-  const reachY = path.reduce((reach, [, at]) => grown(reach, at), props.reachY);
+  const reachX = path.reduce((reach, [at]) => grown(reach, at, x.positionUnit), props.reachX);
+  const reachY = path.reduce((reach, [, at]) => grown(reach, at, y.positionUnit), props.reachY);
   const left = (value: number) => onTable(placeOn(reachX, value));
   const top = (value: number) => size - onTable(placeOn(reachY, value));
   const atX = left(x.position);
@@ -31,10 +31,7 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
     <svg
       viewBox={`0 0 ${size} ${size}`}
       role="img"
-      aria-label={t.tableLabel(
-        `${number(x.position, 0)} ${x.positionUnit}`,
-        `${number(y.position, 0)} ${y.positionUnit}`,
-      )}
+      aria-label={t.tableLabel(positionText(x), positionText(y))}
       class="table"
     >
       <rect x={edge} y={edge} width={size - 2 * edge} height={size - 2 * edge} class="table-bed" />

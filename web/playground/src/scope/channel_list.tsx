@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 
 import { present } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { channelNames, type Setting, unitsPerDivision } from "./channels.js";
+import { channelNames, type Setting, unitsOf, unitsPerDivision } from "./channels.js";
 import { addChannel, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
@@ -44,7 +44,8 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
             const { name, offset } = setting;
             setChannel(units > 0 ? { name, offset, perDivision: units } : { name, offset });
           }}
-        />
+        />{" "}
+        <span class="unit">{unitsOf(present.card.value).get(setting.name)}</span>
       </label>
       <label class="small muted">
         {t.position}{" "}

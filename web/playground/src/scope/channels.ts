@@ -4,6 +4,7 @@
 import type { Card, Channel, Variable } from "@oncard/engine";
 
 import { roundUp } from "../machine/axes.js";
+import { number } from "../texts/texts.js";
 import type { Sweep } from "./trigger.js";
 
 /** A channel as the reader has set it. */
@@ -28,6 +29,20 @@ export function channelNames(card: Card | undefined, variables: Variable[]): str
   ];
 }
 
+/** In what the values of the card are measured, by the names of their channels. */
+export type Units = ReadonlyMap<string, string>;
+
+export function unitsOf(card: Card | undefined): Units {
+  const values = (card?.parts ?? []).flatMap((part) => part.values);
+  return new Map(values.flatMap(({ path, unit }) => (unit === undefined ? [] : [[path, unit]])));
+}
+
+/** A channel with its unit, as traces name it: `axis1.prfPos [mm]`. */
+export function titleOf(name: string, units: Units): string {
+  const unit = units.get(name);
+  return unit === undefined ? name : `${name} [${unit}]`;
+}
+
 export function extremes({ least, largest }: Channel): { least: number; largest: number } {
   let low = Infinity;
   let high = -Infinity;
@@ -49,6 +64,17 @@ export function inDivisions(value: number, perDivision: number, offset: number):
   return value / perDivision + offset;
 }
 
+/** What the picture says of each channel: its name and how much a division is. */
+export function legendOf(sweep: Sweep, settings: Setting[], units: Units): string[] {
+  return settings.map((setting) => {
+    const channel = sweep.channels.find(({ name }) => name === setting.name);
+    if (!channel) return setting.name;
+    const unit = units.get(setting.name);
+    const per = number(unitsPerDivision(setting, channel), 6);
+    return `${setting.name}: ${per}${unit === undefined ? "" : ` ${unit}`}/div`;
+  });
+}
+
 /** The values of a channel in the part of the sweep that contains a time. */
 export function readingAt(
   sweep: Sweep,
@@ -66,13 +92,14 @@ export function readingAt(
 }
 
 /** The values as a table: a row for each part, with the least and the largest value of each channel. */
-export function csvOf(sweep: Sweep): string {
-  const head = sweep.channels.flatMap(({ name }) => [`${name}.min`, `${name}.max`]);
+export function csvOf(sweep: Sweep, units: Units): string {
+  const titles = sweep.channels.map(({ name }) => titleOf(name, units));
+  const head = titles.flatMap((title) => [`${title} min`, `${title} max`]);
   const parts = sweep.channels[0]?.least.length ?? 0;
   const width = (sweep.toMs - sweep.fromMs) / Math.max(1, parts);
   const rows = Array.from({ length: parts }, (_, index) => [
     Number((sweep.fromMs + index * width).toFixed(6)),
     ...sweep.channels.flatMap(({ least, largest }) => [least[index] ?? "", largest[index] ?? ""]),
   ]);
-  return [["time_ms", ...head], ...rows].map((row) => `${row.join(",")}\n`).join("");
+  return [["time [ms]", ...head], ...rows].map((row) => `${row.join(",")}\n`).join("");
 }

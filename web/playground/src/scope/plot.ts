@@ -144,18 +144,26 @@ export class Plot {
     return this.#plot.posToVal(clientX - box.left, "x");
   }
 
-  /** The screen with its background as a picture. */
-  picture(): Promise<Blob | null> {
+  /** The screen as a picture, under a heading and one line for each channel in its colour. */
+  picture(heading: string, legend: string[]): Promise<Blob | null> {
     const { canvas } = this.#plot?.ctx ?? {};
     if (!canvas) return Promise.resolve(null);
     const copy = document.createElement("canvas");
+    const line = 18 * devicePixelRatio;
+    const top = (legend.length + 1) * line + line / 2;
     copy.width = canvas.width;
-    copy.height = canvas.height;
+    copy.height = canvas.height + top;
     const context = copy.getContext("2d");
     if (!context) return Promise.resolve(null);
     context.fillStyle = colour("--surface");
     context.fillRect(0, 0, copy.width, copy.height);
-    context.drawImage(canvas, 0, 0);
+    context.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
+    context.textBaseline = "middle";
+    [heading, ...legend].forEach((text, index) => {
+      context.fillStyle = index === 0 ? colour("--text") : channelColour(index - 1);
+      context.fillText(text, line / 2, (index + 0.75) * line);
+    });
+    context.drawImage(canvas, 0, top);
     return new Promise((resolve) => {
       copy.toBlob(resolve);
     });

@@ -3,11 +3,12 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
-import { session } from "../session/bench.js";
-import { isDark } from "../store/settings.js";
+import { present, session } from "../session/bench.js";
+import { isDark, settings } from "../store/settings.js";
+import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
 import { ChannelList } from "./channel_list.js";
-import { csvOf, readingAt } from "./channels.js";
+import { csvOf, legendOf, readingAt, titleOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Plot } from "./plot.js";
 import { putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
@@ -64,10 +65,17 @@ export function ScopePanel() {
       <Controls
         trigger={trigger}
         onCsv={() => {
-          save("oncard.csv", new Blob([csvOf(sweep)], { type: "text/csv" }));
+          save(
+            "oncard.csv",
+            new Blob([csvOf(sweep, unitsOf(present.card.value))], { type: "text/csv" }),
+          );
         }}
         onPng={() => {
-          void plot.current?.picture().then((picture) => {
+          const { value: channels } = scope.channels;
+          const legend = legendOf(sweep, channels, unitsOf(present.card.value));
+          const { title } = source.lesson.value;
+          const heading = `${title[settings.language.value]}, ${number(sweep.fromMs)} … ${number(sweep.toMs)} ms`;
+          void plot.current?.picture(heading, legend).then((picture) => {
             if (picture) save("oncard.png", picture);
           });
         }}
@@ -104,6 +112,7 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
   const { scope: t } = texts.value;
   const isOn = scope.cursors.value !== undefined;
   const [a, b] = scope.cursors.value ?? [0, 0];
+  const units = unitsOf(present.card.value);
   const step = (sweep.toMs - sweep.fromMs) / 200;
   return (
     <div class="cursors">
@@ -160,7 +169,7 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
                 const both = atA !== undefined && atB !== undefined;
                 return (
                   <tr key={name} data-channel={name}>
-                    <th scope="row">{name}</th>
+                    <th scope="row">{titleOf(name, units)}</th>
                     <td class="number">{atA === undefined ? "" : number(atA)}</td>
                     <td class="number">{atB === undefined ? "" : number(atB)}</td>
                     <td class="number">{both ? number(atB - atA) : ""}</td>
