@@ -229,7 +229,7 @@ export class Variables {
     const first = values[0];
     return {
       name: `${part}${number}`,
-      value: first ? `${shownName(first.name)} ${first.value}` : "",
+      value: first ? `${shownName(first.name)} ${partValue(first).value}` : "",
       variablesReference: this.#nodes.create({ kind: "part", part, number }),
     };
   }

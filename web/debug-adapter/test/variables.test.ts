@@ -1,6 +1,9 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
 import { describe, expect, test } from "vitest";
 
-import { type Editor, named, openEditor, programOf, sample } from "./support.js";
+import { type Editor, folderOf, named, openEditor, programOf, sample } from "./support.js";
 
 const program = `int total;
 double list[3];
@@ -76,6 +79,25 @@ describe("are shown", () => {
       value: "50000 pulse",
       evaluateName: "axis1.prfPos",
     });
+  });
+
+  test("an axis in the unit that its scenario gives it", async () => {
+    const path = join(
+      folderOf({
+        "p.c": readFileSync(sample("10_trap/trap.c"), "utf8"),
+        "mm.toml":
+          'program = "p.c"\nuntil_ms = 1400\n' +
+          '[[thread]]\nfunction = "move"\ninit = { distance = 50000 }\n' +
+          '[[world.axis]]\naxis = 1\nunit = "mm"\npulses_per_unit = 1000\n',
+      }),
+      "mm.toml",
+    );
+    const editor = await atTheEnd(path);
+    const axes = await editor.variables(await editor.scope("Axes"));
+    expect(named(axes, "axis1")).toMatchObject({ value: "prfPos 50 mm" });
+    const first = await editor.variables(named(axes, "axis1").variablesReference);
+    expect(named(first, "prfVel")).toMatchObject({ value: "0 mm/s" });
+    expect(named(axes, "axis2")).toMatchObject({ value: "prfPos 0 pulse" });
   });
 
   test("inputs and outputs", async () => {
