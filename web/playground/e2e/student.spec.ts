@@ -241,6 +241,29 @@ test("a task is solved, and the progress stays", async ({ page }) => {
   await expect(page.getByText("1 of 14 solved")).toBeVisible();
 });
 
+for (const lesson of ["assignment", "lost-update"]) {
+  test(`a task that was edited away is not solved: ${lesson}`, async ({ page }) => {
+    await open(page, `#lesson=${lesson}`);
+    await page.getByRole("button", { name: "task.toml" }).click();
+    await write(page, 'program = "start.c"\n');
+    await expect(page.getByText("No messages")).toBeVisible();
+    await page.getByRole("button", { name: "Check" }).click();
+    const verdict = page.locator(".verdict");
+    await expect(verdict).toContainText(/Not yet|Failed/);
+    await expect(page.getByText("0 of 14 solved")).toBeVisible();
+  });
+}
+
+test("a verdict goes when its program is edited", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Check" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("Not yet.");
+  await editor(page).press("Control+End");
+  await page.keyboard.type(" ");
+  await expect(verdict).toHaveCount(0);
+});
+
 test("hints open one by one", async ({ page }) => {
   await open(page);
   await expect(page.getByText("Hint 1 of")).toHaveCount(0);

@@ -6,6 +6,7 @@ import offered from "virtual:lessons";
 
 import { App } from "./app.js";
 import { listenToKeys } from "./controls/actions.js";
+import { forgetOldVerdicts } from "./lesson/checks.js";
 import { bench } from "./session/bench.js";
 import { followLanguage, followSource } from "./session/messages.js";
 import { openFirst, openNext } from "./share/opened_link.js";
@@ -29,6 +30,7 @@ openFirst();
 window.addEventListener("hashchange", openNext);
 followSource();
 followLanguage();
+forgetOldVerdicts();
 const page = document.getElementById("page");
 if (page) render(<App />, page);
 void bench.engine().catch(() => undefined); // the status line says why

@@ -1,14 +1,15 @@
 // Whether the open program solves its task, and what an exploration finds. Runs have an engine of
 // their own, and so have explorations: the session stays alive, and ending an engine stops them.
 
-import type { Engine, ExploreAnswer, RunAnswer } from "@oncard/engine";
+import type { Engine, ExploreAnswer, Project, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
-import { computed } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 
 import { bench } from "../session/bench.js";
 import { type Purpose, startModule } from "../session/engines.js";
 import { forgetRecord } from "../session/record.js";
 import { markSolved } from "../store/lessons.js";
+import { ownProgram } from "../store/own_program.js";
 import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
@@ -69,9 +70,19 @@ async function judged(
   return verdict.value;
 }
 
+/** The program with the task as the lesson has it: the reader may change it for runs alone. */
+function projectOfTask(): Project {
+  const project = source.project.peek();
+  const { id, main, files } = source.lesson.peek();
+  const task = files[main];
+  if (id === ownProgram.id || task === undefined) return project;
+  return { ...project, files: { ...project.files, [main]: task } };
+}
+
 /** Searches all interleavings; a failing run is then on the card. */
 export async function explore(isCheck = false): Promise<void> {
-  const explored = source.project.peek();
+  const loaded = source.project.peek();
+  const explored = isCheck ? projectOfTask() : loaded;
   const what = isCheck ? "check" : "explore";
   const found = await judged(what, "explorations", async (started) => {
     const exploration = await started.explore(explored, settings.language.peek());
@@ -80,7 +91,7 @@ export async function explore(isCheck = false): Promise<void> {
   });
   if (found.kind === "explored" && found.exploration.schedule !== undefined) {
     forgetRecord();
-    await bench.loadRecording(explored, found.exploration.schedule);
+    await bench.loadRecording(loaded, found.exploration.schedule);
   }
 }
 
@@ -90,7 +101,7 @@ export async function checkTask(): Promise<void> {
   if (task === "explore") await explore(true);
   else {
     await judged("check", "programs", async (started) => {
-      const { run } = await started.run(source.project.peek());
+      const { run } = await started.run(projectOfTask());
       return run ? { kind: "run", run } : { kind: "not-compiled" };
     });
   }
@@ -109,8 +120,13 @@ export function stopCheck(): void {
   say({ kind: "stopped" });
 }
 
-/** What was said of another program is no longer of use. */
-export function forgetVerdict(): void {
-  if (verdict.value.kind === "busy") stopCheck();
-  say({ kind: "none" });
+/** What was said of another text is no longer of use. */
+export function forgetOldVerdicts(): void {
+  effect(() => {
+    source.project.value; // eslint-disable-line @typescript-eslint/no-unused-expressions
+    untracked(() => {
+      if (verdict.value.kind === "busy") stopCheck();
+      say({ kind: "none" });
+    });
+  });
 }

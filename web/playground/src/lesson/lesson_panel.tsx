@@ -5,7 +5,7 @@ import { ownProgram } from "../store/own_program.js";
 import { settings } from "../store/settings.js";
 import { openLesson, source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { checkTask, forgetVerdict, isSolvedNow, verdict } from "./checks.js";
+import { checkTask, isSolvedNow, verdict } from "./checks.js";
 import { htmlOf } from "./markdown.js";
 import { VerdictBox } from "./verdict.js";
 
@@ -34,7 +34,6 @@ export function LessonPanel() {
           value={open.id}
           onChange={({ currentTarget }) => {
             const chosen = lessonNamed(currentTarget.value);
-            forgetVerdict();
             if (chosen) openLesson(chosen);
           }}
         >
@@ -102,7 +101,6 @@ export function LessonPanel() {
           <button
             type="button"
             onClick={() => {
-              forgetVerdict();
               openLesson(next);
             }}
           >
