@@ -159,6 +159,20 @@ test("exploring finds the lost update, and its run can be walked", async ({ page
   await expect(cursor).toHaveAttribute("aria-valuenow", "0");
 });
 
+test("dragging over the timeline selects no text", async ({ page }) => {
+  await open(page);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toContainText(/Finished|finished/);
+  const number = await page.locator(".scale span").nth(1).boundingBox();
+  if (!number) throw new Error("there is no timeline");
+  await page.mouse.move(number.x + 1, number.y + number.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(number.x + 300, number.y + number.height / 2, { steps: 4 });
+  expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
+  await page.mouse.up();
+});
+
 test("the timeline shows waits and faults of the past", async ({ page }) => {
   await open(page);
   await openOwn(page);
