@@ -270,3 +270,15 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   const screen = await page.locator(".screen canvas").evaluate((canvas) => canvas.clientHeight);
   expect((await saved("PNG")).readUInt32BE(20)).toBe(screen + lines * 18 + 9);
 });
+
+test("the address names the open lesson, and no program", async ({ page }) => {
+  await open(page, "#lesson=lost-update");
+  expect(new URL(page.url()).hash).toBe("#lesson=lost-update");
+  const choice = page.getByLabel("Choose a lesson");
+  await choice.selectOption("assignment");
+  await expect(page).toHaveURL(/#lesson=assignment$/);
+  await page.goto("./#lesson=lost-update");
+  await expect(choice).toHaveValue("lost-update");
+  await openOwn(page);
+  expect(new URL(page.url()).hash).toBe("");
+});

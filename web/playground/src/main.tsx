@@ -9,7 +9,7 @@ import { listenToKeys } from "./controls/actions.js";
 import { forgetOldVerdicts } from "./lesson/checks.js";
 import { bench } from "./session/bench.js";
 import { followLanguage, followSource } from "./session/messages.js";
-import { openFirst, openNext } from "./share/opened_link.js";
+import { followLesson, openFirst, openNext } from "./share/opened_link.js";
 import { offerLessons } from "./store/lessons.js";
 import { applySettings, keepSettings } from "./store/settings.js";
 import { texts } from "./texts/texts.js";
@@ -27,6 +27,7 @@ effect(() => {
 listenToKeys();
 offerLessons(offered);
 openFirst();
+followLesson();
 window.addEventListener("hashchange", openNext);
 followSource();
 followLanguage();

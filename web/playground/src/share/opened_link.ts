@@ -1,11 +1,13 @@
 // The link with which the page was opened, and what it opens.
 
+import { effect } from "@preact/signals";
+
 import { addLinked, lessonNamed, lessons } from "../store/lessons.js";
 import { ownProgram } from "../store/own_program.js";
 import { chooseLanguage } from "../store/settings.js";
 import { slice } from "../store/slice.js";
-import { lastLesson, openLesson, openLessonWith } from "../store/source.js";
-import { type ReadLink, readLink, type Shared } from "./link.js";
+import { lastLesson, openLesson, openLessonWith, source } from "../store/source.js";
+import { lessonLink, type ReadLink, readLink, type Shared } from "./link.js";
 
 const [openedLink, change] = slice<{ link: ReadLink }>({ link: { kind: "none" } });
 export { openedLink };
@@ -35,8 +37,23 @@ function takeLink(): ReadLink {
   if (link.kind === "none") return link;
   change({ link });
   if (link.kind === "shared") openShared(link.shared);
-  history.replaceState(null, "", location.pathname + location.search);
+  nameLesson();
   return link;
+}
+
+/** Lets the address name the open lesson, if it is one that everybody has, and nothing else. */
+function nameLesson(): void {
+  const { id } = source.lesson.peek();
+  const isOffered = lessons.offered.peek().some((each) => each.id === id);
+  const fragment = isOffered ? lessonLink(id) : "";
+  history.replaceState(null, "", location.pathname + location.search + fragment);
+}
+
+export function followLesson(): void {
+  effect(() => {
+    source.lesson.value; // eslint-disable-line @typescript-eslint/no-unused-expressions
+    nameLesson();
+  });
 }
 
 function openShared({ own, lesson, files, program, main, language }: Shared): void {
