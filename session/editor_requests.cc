@@ -12,6 +12,7 @@
 #include "editor/describe.h"
 #include "editor/overview.h"
 #include "editor/places.h"
+#include "session/comment_help.h"
 #include "session/project.h"
 #include "session/scenario_help.h"
 
@@ -139,6 +140,16 @@ Result<Json> AtPlaceOfAny(Arguments& arguments, const EditorContext& context,
   return scenario_answer({std::move(wish.file), std::move(text).value(), place}, context.language);
 }
 
+// The file of a cursor, and its place there.
+const compiler::SourceFile& FileOf(const Subject& subject, editor::Cursor cursor) {
+  return subject.analysis->text.file(cursor.file).file;
+}
+
+editor::Place PlaceOf(const Subject& subject, editor::Cursor cursor) {
+  const compiler::SourceFile& file = FileOf(subject, cursor);
+  return {file.LineOf(cursor.offset), file.ColumnOf(cursor.offset)};
+}
+
 const vm::Object* ObjectOf(const compiler::Compilation& compilation) {
   return compilation.ok() ? &*compilation.object : nullptr;
 }
@@ -146,6 +157,10 @@ const vm::Object* ObjectOf(const compiler::Compilation& compilation) {
 Result<Json> Describe(Arguments& arguments, const EditorContext& context) {
   return AtPlaceOfAny(
       arguments, context, DescribeScenario, [&](const Subject& subject, editor::Cursor cursor) {
+        if (auto comment = DescribeComment(FileOf(subject, cursor), PlaceOf(subject, cursor),
+                                           context.language)) {
+          return *std::move(comment);
+        }
         const auto compilation = subject.Compile();
         return editor::Describe(*subject.analysis, cursor, ObjectOf(compilation), context.language);
       });
@@ -158,10 +173,13 @@ Result<Json> Signature(Arguments& arguments, const EditorContext& context) {
 }
 
 Result<Json> Complete(Arguments& arguments, const EditorContext& context) {
-  return AtPlaceOfAny(arguments, context, CompleteScenario,
-                      [&](const Subject& subject, editor::Cursor cursor) {
-                        return editor::Complete(*subject.analysis, cursor, context.language);
-                      });
+  return AtPlaceOfAny(
+      arguments, context, CompleteScenario, [&](const Subject& subject, editor::Cursor cursor) {
+        auto comment =
+            CompleteComment(FileOf(subject, cursor), PlaceOf(subject, cursor), context.language);
+        if (comment) return *std::move(comment);
+        return editor::Complete(*subject.analysis, cursor, context.language);
+      });
 }
 
 Result<Json> Definition(Arguments& arguments, const EditorContext& context) {

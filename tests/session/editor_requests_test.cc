@@ -52,6 +52,19 @@ TEST_F(EditorRequestsTest, TakeAScenarioForTheExplorer) {
   EXPECT_EQ(Ask("fixes", {{"main", "s.toml"}, {"files", files}})["result"]["compiled"], true);
 }
 
+TEST_F(EditorRequestsTest, KnowCommentsThatSayWhatMustHold) {
+  const Json files = {
+      {"p.c", "//@ always: n < 5\nint n;\nint t0()\n{\n  //@ assert: n < 5\n  n = 1;\n}\n"}};
+  const Json items =
+      AskAt("complete", 1, 5, {{"main", "p.c"}, {"files", files}})["result"]["items"];
+  ASSERT_FALSE(items.empty());
+  EXPECT_EQ(items[0]["label"], "always");
+  const Json described = AskAt("describe", 5, 9, {{"main", "p.c"}, {"files", files}})["result"];
+  EXPECT_EQ(described["name"], "assert");
+  // A condition is of no more use than before.
+  EXPECT_EQ(AskAt("describe", 1, 14, {{"main", "p.c"}, {"files", files}})["result"], nullptr);
+}
+
 TEST_F(EditorRequestsTest, KnowStructuredC) {
   const Json files = {{"p.c", "enum { A = 3 };\n"}};
   EXPECT_EQ(Ask("outline", {{"main", "p.c"}, {"files", files}})["result"].size(), 0u);

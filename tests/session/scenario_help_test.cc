@@ -11,6 +11,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
@@ -42,6 +43,10 @@ TEST(ScenarioHelp, OffersTheKeysOfTheTable) {
   // Mistakes elsewhere do not matter.
   EXPECT_THAT(LabelsAt("program = \n[[world.switch]\nx =\n$"), Contains("active_low"));
   EXPECT_THAT(LabelsAt("[unknown]\n$"), IsEmpty());
+  // What a scenario leaves open, reactions, and units.
+  EXPECT_THAT(LabelsAt("[[world.input]]\n$"), Contains("between_ms"));
+  EXPECT_THAT(LabelsAt("[[world.react]]\n$"), IsSupersetOf({"when", "after_ms", "value"}));
+  EXPECT_THAT(LabelsAt("[[world.axis]]\n$"), IsSupersetOf({"unit", "pulses_per_unit"}));
 }
 
 TEST(ScenarioHelp, OffersTables) {
