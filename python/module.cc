@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -180,17 +181,33 @@ py::bytes PictureOf(const RunOutcome& outcome, const std::string& path) {
 
 // --- Explorations --------------------------------------------------------------------------------
 
+/// A requirement: its scope and its text, of `within` the condition before and the one that must
+/// follow, and its milliseconds.
+using RequirementText = std::tuple<std::string, std::string, std::string, double>;
+
+runtime::Requirement RequirementOf(const RequirementText& given) {
+  const auto& [scope_name, text, then, ms] = given;
+  const runtime::Scope scope = *runtime::ScopeNamed(scope_name);
+  if (scope == runtime::Scope::kLeads) {
+    return runtime::ReadResponse(scope, text, [](auto) { return runtime::TextPlace{}; });
+  }
+  runtime::Requirement requirement = {scope, text};
+  requirement.then = then;
+  requirement.within_us = FromMs(ms);
+  return requirement;
+}
+
 SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool structured,
-                             const std::vector<std::pair<std::string, std::string>>& requirements,
+                             const std::vector<RequirementText>& requirements,
                              const std::string& engine, const std::string& races,
                              const std::map<std::string, std::optional<int64_t>>& numbers,
-                             std::optional<bool> merge_private, bool all,
-                             const std::vector<std::string>& silent, double seconds,
+                             std::optional<bool> merge_private, std::optional<bool> islands,
+                             bool all, const std::vector<std::string>& silent, double seconds,
                              int64_t memory_mib) {
   const Source source = {main, files, structured};
   SearchWish wish;
-  for (const auto& [scope, text] : requirements) {
-    wish.requirements.push_back({*runtime::ScopeNamed(scope), text});
+  for (const RequirementText& given : requirements) {
+    wish.requirements.push_back(RequirementOf(given));
   }
   wish.engine = engine;
   wish.races = races;
@@ -201,6 +218,7 @@ SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool s
   wish.depth = numbers.at("depth");
   wish.preemptions = numbers.at("preemptions");
   wish.merge_private = merge_private;
+  wish.islands = islands;
   wish.all = all;
   wish.silent = silent;
   explore::SearchProgress progress;
@@ -297,8 +315,8 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
       .def("schedule", [](const SearchOutcome& outcome) { return TextOf(outcome.schedule); });
   module.def("explore", &ExploreProgram, py::arg("main"), py::arg("files"), py::arg("structured"),
              py::arg("requirements"), py::arg("engine"), py::arg("races"), py::arg("numbers"),
-             py::arg("merge_private"), py::arg("all"), py::arg("silent"), py::arg("seconds"),
-             py::arg("memory_mib"));
+             py::arg("merge_private"), py::arg("islands"), py::arg("all"), py::arg("silent"),
+             py::arg("seconds"), py::arg("memory_mib"));
 
   py::class_<SharedSession>(module, "Session")
       .def(py::init<>())

@@ -31,9 +31,11 @@ std::vector<Setting> SettingsOf(const SearchWish& wish) {
           {"--preemptions", wish.preemptions, 0, runtime::kPreemptionsMax}};
 }
 
-/// `--max-states` as an argument of Python: `max_states`.
+constexpr std::string_view kNo = "--no-";
+
+/// `--max-states` as an argument of Python: `max_states`; `--no-islands`: `islands`.
 std::string ArgumentName(std::string_view option) {
-  std::string name(option.substr(2));
+  std::string name(option.substr(option.starts_with(kNo) ? kNo.size() : 2));
   std::ranges::replace(name, '-', '_');
   return name;
 }
@@ -62,7 +64,8 @@ Result<void> CheckSettings(const SearchWish& wish, explore::EngineKind engine) {
     const auto found = std::ranges::find(settings, known.option, &Setting::option);
     const bool given = found != settings.end()
                            ? found->value.has_value()
-                           : known.option == "--merge-private" && wish.merge_private.has_value();
+                           : (known.option == "--merge-private" && wish.merge_private) ||
+                                 (known.option == "--no-islands" && wish.islands);
     if (!given || known.UsedBy(name)) continue;
     return Error{1, runtime::DescribeUnusedSetting(known, ArgumentName(known.option), name)};
   }
@@ -81,6 +84,7 @@ Result<explore::ExploreOptions> OptionsOf(const SearchWish& wish,
   options.depth = static_cast<int>(wish.depth.value_or(options.depth));
   options.preemption_limit = static_cast<int>(wish.preemptions.value_or(options.preemption_limit));
   options.merge_private = wish.merge_private;
+  options.islands = wish.islands.value_or(options.islands);
   options.all = wish.all;
   return options;
 }
@@ -88,6 +92,9 @@ Result<explore::ExploreOptions> OptionsOf(const SearchWish& wish,
 /// That of the file, with what is asked beyond it.
 Result<explore::Question> QuestionOf(const Source& source, const SearchWish& wish,
                                      const session::Project& project, std::string_view text) {
+  for (const runtime::Requirement& requirement : wish.requirements) {
+    if (auto form = runtime::CheckForm(requirement); !form.ok()) return form.error();
+  }
   auto question =
       explore::QuestionOf(source.main, project.scenario, text, *project.compilation.object);
   if (!question.ok()) return question;

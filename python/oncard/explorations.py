@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Sequence
-from typing import Any, SupportsIndex
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, SupportsIndex, Union
 
 from . import _oncard
 from .errors import Error, is_chinese
-from .expressions import Requirements, condition_texts
+from .expressions import Requirements, condition_text, condition_texts
 from .inputs import Files, Input, source_of, texts_of, whole_number
+
+# Of `within`: a dict with `after`, `then` and `ms`, as in a scenario.
+Response = Mapping[str, Any]
 
 
 class Exploration:
@@ -73,6 +76,8 @@ def explore(
     always: Requirements = (),
     never: Requirements = (),
     eventually: Requirements = (),
+    leads: Requirements = (),
+    within: Union[Response, Iterable[Response]] = (),
     races: str = "",
     engine: str = "",
     max_executions: SupportsIndex | None = None,
@@ -82,6 +87,7 @@ def explore(
     depth: SupportsIndex | None = None,
     preemptions: SupportsIndex | None = None,
     merge_private: bool | None = None,
+    islands: bool | None = None,
     all: bool = False,
     silent: Sequence[str] = (),
     seconds: float = 0,
@@ -91,20 +97,25 @@ def explore(
 
     `final`, `always`, `never` and `eventually` are requirements in addition to those of the
     scenario, or of the program's comments: texts, or expressions such as `oncard.var("sum") < 100`.
+    So are responses: `leads` has texts `p -> q`, `within` dicts `{"after": p, "then": q, "ms": 5}`.
     The other arguments are the options of `oncard explore`. The search ends after `seconds`, if
     given, or when the process occupies `memory_mib`, without it half of what is free; the verdict
     is then INCOMPLETE. Ctrl-C ends it, too.
     """
     source = source_of(main, files, structured)
     requirements = [
-        (scope, text)
+        (scope, text, "", 0.0)
         for scope, conditions in (
             ("final", final),
             ("always", always),
             ("never", never),
             ("eventually", eventually),
+            ("leads", leads),
         )
         for text in condition_texts(conditions)
+    ]
+    requirements += [
+        _response(response) for response in ([within] if isinstance(within, Mapping) else within)
     ]
     numbers = {
         name: whole_number(name, value)
@@ -127,12 +138,24 @@ def explore(
             races,
             numbers,
             merge_private,
+            islands,
             all,
             texts_of("silent", silent),
             _limit("seconds", seconds, 1e9),
             int(_limit("memory_mib", whole_number("memory_mib", memory_mib), 2**30)),
         )
     )
+
+
+def _response(response: Response) -> tuple[str, str, str, float]:
+    """An element of `within`."""
+    if not isinstance(response, Mapping) or set(response) != {"after", "then", "ms"}:
+        raise Error(
+            f"'within' has dicts such as {{'after': 'p', 'then': 'q', 'ms': 5}}, not {response!r}",
+            f"“within”的元素应如 {{'after': 'p', 'then': 'q', 'ms': 5}}，而不是 {response!r}",
+        )
+    after, then = condition_text(response["after"]), condition_text(response["then"])
+    return "within", after, then, _limit("ms", response["ms"], 1e9)
 
 
 def _limit(name: str, value: object, most: float) -> float:

@@ -44,6 +44,52 @@ def test_requirements_are_texts_or_expressions(samples):
     assert explore(races="none").verdict == "FAILED"
 
 
+def test_responses_are_requirements():
+    assert explore(leads="thread0.result == 0 -> count >= 1").verdict == "PROVED"
+    lost = explore(leads=["count == 1 -> count == 2"])
+    assert lost.verdict == "FAILED" and "leads: count == 1 -> count == 2" in lost.text
+    with pytest.raises(oncard.Error, match="->"):
+        explore(leads="count == 1")
+
+
+# The card sees input 1 after its filter of three cycles, at 2.5 ms. The program, which begins in
+# the cycle of 0.25 ms, looks each millisecond, and so sees it at 3.25 ms.
+LOOK = """int seen;
+int look() { int inputs;
+again: GT_Delay(1); GT_GetDi(4, &inputs); inputs = inputs & 1; if (inputs) goto found; goto again;
+found: seen = 1; return 0; }
+"""
+PRESSED = {
+    "program": "look.c",
+    "until_ms": 10,
+    "thread": [{"thread": 0, "function": "look"}],
+    "world": {"input": [{"index": 1, "value": 1, "at_ms": 1.75}]},
+}
+
+
+@pytest.mark.parametrize("ms, verdict", [(1, "PROVED"), (0.5, "FAILED")])
+def test_a_response_has_a_time(ms, verdict):
+    within = {"after": var("gpi[1]") == 1, "then": "seen == 1", "ms": ms}
+    files = {"look.c": LOOK}
+    assert oncard.explore(PRESSED, files=files, within=within).verdict == verdict
+    assert oncard.explore(PRESSED, files=files, within=[within, within]).verdict == verdict
+
+
+def test_a_response_without_a_time_is_refused():
+    with pytest.raises(oncard.Error, match="'within' has dicts"):
+        explore(within={"after": "count == 1", "then": "count == 2"})
+    with pytest.raises(oncard.Error, match="'ms' must be a number"):
+        explore(within={"after": "count == 1", "then": "count == 2", "ms": "5"})
+
+
+def test_what_is_open_in_a_scenario_is_tried():
+    open_instant = {"index": 1, "value": "any", "between_ms": [2, 3]}
+    scenario = {**PRESSED, "world": {"input": [open_instant]}, "expect": ["seen == 1 @ 10ms"]}
+    exploration = oncard.explore(scenario, files={"look.c": LOOK})
+    assert exploration.verdict == "FAILED"
+    assert "choice: gpi[1] = 0 at 2 ms" in exploration.text
+
+
 def test_comments_are_requirements():
     text = "//@ final: count == 2\n" + COUNT
     assert oncard.explore("count.c", files={"count.c": text}).verdict == "FAILED"
