@@ -636,7 +636,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
                                    .finals_within = {},
                                    .complete = found.graph.complete};
   exploration.ends = found.ends.ends();
-  exploration.failure = WayTo(found.graph, kBad);
+  if (found.bad_states > 0) exploration.failure = WayTo(found.graph, kBad);
   if (exploration.failure && found.graph.complete) {
     CardWalk walk(model, false);
     for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
