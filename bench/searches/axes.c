@@ -2,8 +2,6 @@
    with an axis of its own. */
 #define IN_MOTION 0x400
 
-int done;
-
 int move(int axis)
 {
   int bit;
@@ -24,6 +22,5 @@ lbl_moving:
   GT_GetSts(axis, &sts, 1, &clock);
   moving = sts & IN_MOTION;
   if (moving) goto lbl_moving;
-  done = done + 1;
   return 0;
 }
