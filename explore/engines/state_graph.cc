@@ -579,24 +579,25 @@ Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid,
   return search.Run(flag) ? search.PathToFound() : Path{};
 }
 
-Path FewestSteps(const StateGraph& graph, uint32_t flag) {
+Path FewestSteps(const StateGraph& graph, uint32_t flag, uint32_t starts) {
   std::vector<uint32_t> parent(graph.size(), kNone);
   std::vector<uint8_t> by(graph.size(), 0);
   std::queue<uint32_t> queue;
-  queue.push(0);
+  for (uint32_t start = 0; start < starts; ++start) queue.push(start);
   while (!queue.empty()) {
     uint32_t state = queue.front();
     queue.pop();
     if ((graph.flags[state] & flag) != 0) {
       Path path;
       path.found = true;
-      for (; state != 0; state = parent[state]) path.steps.push_back(by[state]);
+      for (; state >= starts; state = parent[state]) path.steps.push_back(by[state]);
+      path.start = state;
       std::reverse(path.steps.begin(), path.steps.end());
       return path;
     }
     for (int thread = 0; thread < graph.threads; ++thread) {
       const uint32_t next = graph.Next(state, thread);
-      if (next == kNone || next == 0 || parent[next] != kNone) continue;
+      if (next == kNone || next < starts || parent[next] != kNone) continue;
       parent[next] = state;
       by[next] = static_cast<uint8_t>(thread);
       queue.push(next);

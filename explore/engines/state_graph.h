@@ -88,6 +88,7 @@ struct Path {
   bool found = false;
   std::vector<uint8_t> steps;
   int preemptions = 0;
+  uint32_t start = 0;  ///< the state in which it begins
 };
 
 /// A path with the fewest preemptions, and among those with the fewest steps, to a state with one
@@ -97,8 +98,8 @@ struct Path {
 Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0,
                        const std::atomic<bool>* hurried = nullptr);
 
-/// A path with the fewest steps.
-Path FewestSteps(const StateGraph& graph, uint32_t flag);
+/// A path with the fewest steps, from one of the first `starts` states.
+Path FewestSteps(const StateGraph& graph, uint32_t flag, uint32_t starts = 1);
 
 /// For every state the minimum of preemptions that reach it; bound + 1 if more are needed. `bound`:
 /// 0 .. 254. Not known for all if `hurried` is set from another thread.

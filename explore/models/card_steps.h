@@ -8,7 +8,7 @@
 // whole states. What needs more than is known of rows (the end of a run, a failure, an assert) is
 // executed on the card each time.
 //
-// Deterministic; not thread-safe. Tested by tests/explore/card_rows_test.cc.
+// Deterministic; not thread-safe. Tested by tests/explore/card_steps_test.cc.
 #pragma once
 
 #include <cstddef>

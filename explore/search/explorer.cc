@@ -492,35 +492,6 @@ Message DescribeStateLimit(const ExploreOptions& options) {
                      options.state_limit);
 }
 
-/// The shortest path from one of the first states of a graph to a bad one, and the number of that
-/// first state.
-std::pair<size_t, std::vector<uint8_t>> WayFromOneOf(size_t starts, const StateGraph& graph) {
-  struct Step {
-    uint32_t from = StateGraph::kNone;
-    uint8_t thread = 0;
-  };
-  std::vector<Step> steps(graph.size());
-  std::vector<uint32_t> queue;
-  for (uint32_t start = 0; start < starts; ++start) queue.push_back(start);
-  for (size_t i = 0; i < queue.size(); ++i) {
-    uint32_t state = queue[i];
-    if ((graph.flags[state] & kBad) != 0) {
-      std::vector<uint8_t> way;
-      for (; state >= starts; state = steps[state].from) way.push_back(steps[state].thread);
-      std::ranges::reverse(way);
-      return {state, std::move(way)};
-    }
-    for (int thread = 0; thread < graph.threads; ++thread) {
-      const uint32_t next = graph.Next(state, thread);
-      if (next == StateGraph::kNone || next < starts) continue;
-      if (steps[next].from != StateGraph::kNone) continue;
-      steps[next] = {state, static_cast<uint8_t>(thread)};
-      queue.push_back(next);
-    }
-  }
-  return {};
-}
-
 /// Each group begins in so many different states, if there are as many, so that all groups take
 /// about the same time.
 constexpr size_t kStartsOfGroup = 16;
@@ -571,9 +542,9 @@ Exploration SearchGroup(CardModel* model, const ExploreOptions& options) {
     counts.complete = found.graph.complete;
     for (const End& end : found.ends.ends()) ends.Add(end);
     if (found.bad_states > 0) {
-      const auto [start, more] = WayFromOneOf(starts.size(), found.graph);
-      std::vector<uint8_t> steps = cut.ways[first + start];
-      steps.insert(steps.end(), more.begin(), more.end());
+      const Path path = FewestSteps(found.graph, kBad, static_cast<uint32_t>(starts.size()));
+      std::vector<uint8_t> steps = cut.ways[first + path.start];
+      steps.insert(steps.end(), path.steps.begin(), path.steps.end());
       fail(steps);
     } else if (found.open) {
       exploration.reached = ReachedAt(model, *found.open);
