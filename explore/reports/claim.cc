@@ -185,7 +185,9 @@ ClaimEntry Cases(const Findings& findings) {
   entry.lines.push_back(MakeMessage("for every choice of: {0}: {1} cases",
                                     "对以下各项的每种选择：{2}：共 {1} 种情形", choices.en,
                                     search.cases, choices.zh));
-  if (search.in_order || search.searched == search.cases) {
+  if (search.searched == 1) {
+    entry.lines.push_back({"one case was searched", "已搜索 1 种情形"});
+  } else if (search.in_order || search.searched == search.cases) {
     entry.lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
                                       "计数为前 {0} 种情形之和", search.searched));
   } else {
