@@ -63,7 +63,7 @@ class CaseExploration {
       }
     }
     if (IsRandom(options.engine)) {
-      const auto [first, runs] = RunsOfCase(options.runs, search_.searched, cases_);
+      const auto [first, runs] = RunsOfShare(options.runs, search_.searched, cases_);
       options.first_run += first;
       options.runs = runs;
     }
@@ -135,11 +135,6 @@ WayOut NameCase(const Message& chosen, WayOut way) {
   way.reached.insert(way.reached.begin(),
                      MakeMessage("in the case {0}:", "在情形 {1} 中：", chosen.en, chosen.zh));
   return way;
-}
-
-std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases) {
-  const int64_t more = runs % cases;  // the first cases have one more
-  return {runs / cases * number + std::min(number, more), runs / cases + (number < more ? 1 : 0)};
 }
 
 Result<void> CheckRuns(const ExploreOptions& options, int64_t cases) {

@@ -22,10 +22,6 @@ using CaseExplorer = std::function<Result<Findings>(const runtime::Scenario& sce
 /// What to do about a case that is incomplete, beginning with what was chosen in it.
 WayOut NameCase(const Message& chosen, WayOut way);
 
-/// The number of the first random run of a case, from 0, and its number of runs: run numbers go on
-/// from case to case.
-std::pair<int64_t, int64_t> RunsOfCase(int64_t runs, int64_t number, int64_t cases);
-
 /// Fails if there are fewer random runs than cases.
 Result<void> CheckRuns(const ExploreOptions& options, int64_t cases);
 

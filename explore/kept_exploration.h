@@ -1,55 +1,34 @@
-// Searches of scenarios that are kept in files (search/search_file.h), with a card or in every case
-// of a scenario's choices: begun, continued, and concluded when their parts are merged. What they
-// keep are units (search/unit_search.h), or random runs, whose numbers go on from case to case.
-// Deterministic. Tested by tests/explore/kept_exploration_test.cc.
+// Searches of scenarios that are kept in files (search/search_file.h): begun, continued, and
+// concluded when their parts are merged. Those of a program alone keep traces or random runs
+// (search/kept_search.h), those with a card or choices keep units or random runs (kept_cases.h).
+// Deterministic. Tested by tests/tools/explore_search_test.cc.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "base/result.h"
-#include "explore/reports/report.h"
-#include "explore/search/kept_search.h"
-#include "explore/search/search_file.h"
-#include "runtime/scenario/file/requirement.h"
-#include "runtime/scenario/file/scenario.h"
-#include "vm/object.h"
+#include "explore/kept_cases.h"
 
 namespace oncard::explore {
 
-/// What is searched. All must outlive its use.
-struct SearchedScenario {
-  const runtime::Scenario& scenario;
-  const std::vector<runtime::Requirement>& requirements;
-  const vm::Object& object;
-};
+/// A hash of the program, its initial state and what is asked of its runs. Fails as
+/// ExploreScenario().
+Result<uint64_t> HashOfKept(const SearchedScenario& searched);
 
-/// True for a program with its card, and where choices are open; searches of others are kept by
-/// GoOn() of search/kept_search.h. Fails as ExploreScenario().
-Result<bool> IsKeptByCases(const SearchedScenario& searched);
+/// A new search of a part; the caller fills in SearchFile::input. Fails as BeginByCases(), and if
+/// searches of the engine cannot be kept.
+Result<SearchFile> BeginKept(const SearchedScenario& searched, const ExploreOptions& options,
+                             const SearchPart& part);
 
-/// A hash of the program, its initial state and what is asked of its runs in all cases.
-Result<uint64_t> HashByCases(const SearchedScenario& searched);
+/// Checks what a file says of the program, whose hash it has. Fails with what does not fit.
+Result<void> CheckKept(const SearchedScenario& searched, const SearchFile& file);
 
-/// A new search of a part; the caller fills in SearchFile::input. Fails as ExploreScenario(), if
-/// there are fewer units, or cases for random runs, than the search is to have parts, and where
-/// races are allowed that are benign: to know them takes one search.
-Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreOptions& options,
-                                const SearchPart& part);
+/// Continues a search, as GoOn() and GoOnByCases().
+Result<Findings> GoOnKept(const SearchedScenario& searched, const ExploreOptions& options,
+                          const SearchKeeper& keep, SearchFile* file);
 
-/// Checks what a file says of the program: its cases, results and failing run. Fails with
-/// what does not fit.
-Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& file);
-
-/// Continues a search until it is complete, fails, a limit is reached or it is interrupted. `keep`
-/// is called after each unit, and for random runs when SearchProgress::pausing is set. A unit that
-/// is not complete is begun again when the search is continued. Options that the file contains are
-/// taken from the file.
-Result<Findings> GoOnByCases(const SearchedScenario& searched, const ExploreOptions& options,
-                             const SearchKeeper& keep, SearchFile* file);
-
-/// The result of the parts in a file. A unit that fails is searched again, to show how.
-Result<Findings> ConcludeByCases(const SearchedScenario& searched, const ExploreOptions& options,
-                                 const SearchFile& file);
+/// The result of the parts in a file.
+Result<Findings> ConcludeKept(const SearchedScenario& searched, const ExploreOptions& options,
+                              const SearchFile& file);
 
 }  // namespace oncard::explore

@@ -5,8 +5,6 @@
 #include "base/files.h"
 #include "compiler/text.h"
 #include "explore/kept_exploration.h"
-#include "explore/scenario_exploration.h"
-#include "explore/search/search_check.h"
 
 namespace oncard::tools {
 namespace {
@@ -20,19 +18,6 @@ runtime::Scenario At(const std::string& path) {
 
 explore::SearchedScenario SearchedOf(const ExploreSubject& subject) {
   return {subject.scenario, subject.requirements, subject.object};
-}
-
-Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
-  return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
-}
-
-Result<uint64_t> HashOf(const ExploreSubject& subject) {
-  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
-  if (!by_cases.ok()) return by_cases.error();
-  if (by_cases.value()) return explore::HashByCases(SearchedOf(subject));
-  const auto problem = ProblemOf(subject);
-  if (!problem.ok()) return problem.error();
-  return explore::HashOf(problem.value());
 }
 
 /// The search file contains the path of the program and must be valid text.
@@ -53,15 +38,7 @@ Error Prefixed(const std::string& path, const Message& message) {
 /// Checks the file's data with its program, whose hash it has. Returns the exit code.
 int Check(const Invocation& invocation, const std::string& path, const ExploreSubject& subject,
           const explore::SearchFile& file) {
-  const auto check = [&]() -> Result<void> {
-    const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
-    if (!by_cases.ok()) return by_cases.error();
-    if (by_cases.value()) return explore::CheckByCases(SearchedOf(subject), file);
-    const auto problem = ProblemOf(subject);
-    if (!problem.ok()) return problem.error();
-    return explore::CheckSearch(problem.value(), file);
-  };
-  const auto checked = check();
+  const auto checked = explore::CheckKept(SearchedOf(subject), file);
   if (checked.ok()) return kExitOk;
   return Fail(invocation, kExitUnreadable, Prefixed(path, checked.error().message).message);
 }
@@ -85,7 +62,7 @@ int ReadSearch(const Invocation& invocation, const std::string& path, SubjectRea
   const int found = ReadSubject(invocation, input, reading, subject);
   if (found != kExitOk) return found;
   subject->scenario.races = file->races;
-  const auto hash = HashOf(*subject);
+  const auto hash = explore::HashOfKept(SearchedOf(*subject));
   if (!hash.ok()) return Fail(invocation, kExitUsage, hash.error().message);
   if (hash.value() != file->problem) {
     return Fail(invocation, kExitFailed,
@@ -119,78 +96,23 @@ int MergeSearches(const Invocation& invocation, const std::vector<std::string>& 
 Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options) {
-  using explore::EngineKind;
   const std::string seen = runtime::PathToScenario(At(path), input);
   if (auto checked = CheckInput(seen); !checked.ok()) return checked.error();
-  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
-  if (!by_cases.ok()) return by_cases.error();
-  if (by_cases.value()) {
-    auto begun = explore::BeginByCases(SearchedOf(subject), options, part);
-    if (begun.ok()) begun.value().input = seen;
-    return begun;
-  }
-  const auto problem = ProblemOf(subject);
-  if (!problem.ok()) return problem.error();
-  explore::SearchFile file;
-  file.input = seen;
-  file.problem = explore::HashOf(problem.value());
-  file.races = subject.scenario.races;
-  file.parts = part.count;
-  file.held = {part.number};
-  switch (options.engine) {
-    case EngineKind::kAuto:
-    case EngineKind::kDpor:
-      file.traces = explore::TracesOfPart(problem.value(), part);
-      return file;
-    case EngineKind::kRandom:
-    case EngineKind::kPct:
-    case EngineKind::kPos:
-      file.engine = options.engine;
-      file.seed = options.seed;
-      file.depth = options.depth;
-      file.runs = options.runs;
-      file.runs_cut = explore::RunsOfPart(options.runs, part).second;
-      return file;
-    case EngineKind::kStateful:
-    case EngineKind::kBounded:
-    case EngineKind::kFollow:
-      break;
-  }
-  return MakeError(
-      1, "searches of the engine {0} cannot be saved or split: use dpor, random, pct or pos",
-      "{0} 引擎的搜索不能保存或拆分：请使用 dpor、random、pct 或 pos",
-      explore::EngineName(options.engine));
+  auto begun = explore::BeginKept(SearchedOf(subject), options, part);
+  if (begun.ok()) begun.value().input = seen;
+  return begun;
 }
 
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
                                const explore::ExploreOptions& options,
                                const explore::SearchKeeper& keep, explore::SearchFile* file) {
-  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
-  if (!by_cases.ok()) return by_cases.error();
-  if (by_cases.value()) return explore::GoOnByCases(SearchedOf(subject), options, keep, file);
-  const auto problem = ProblemOf(subject);
-  if (!problem.ok()) return problem.error();
-  auto exploration = explore::GoOn(problem.value(), options, keep, file);
-  if (!exploration.ok()) return exploration.error();
-  explore::Findings findings =
-      FindingsOf(subject.scenario, problem.value(), std::move(exploration).value());
-  if (findings.exploration.verdict == explore::Verdict::kIncomplete) {
-    explore::ExploreOptions of_file = options;
-    of_file.engine = file->engine;
-    findings.way_out = WayOutOf(findings.subject, findings.exploration, of_file, problem.value());
-  }
-  return findings;
+  return explore::GoOnKept(SearchedOf(subject), options, keep, file);
 }
 
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
                                          const explore::ExploreOptions& options,
                                          const explore::SearchFile& file) {
-  const auto by_cases = explore::IsKeptByCases(SearchedOf(subject));
-  if (!by_cases.ok()) return by_cases.error();
-  if (by_cases.value()) return explore::ConcludeByCases(SearchedOf(subject), options, file);
-  const auto problem = ProblemOf(subject);
-  if (!problem.ok()) return problem.error();
-  return FindingsOf(subject.scenario, problem.value(), Conclude(problem.value(), file));
+  return explore::ConcludeKept(SearchedOf(subject), options, file);
 }
 
 Result<void> MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {

@@ -25,7 +25,7 @@ int MergeSearches(const Invocation& invocation, const std::vector<std::string>& 
                   std::vector<std::string>* incomplete);
 
 /// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, as
-/// BeginByCases() (explore/kept_exploration.h), or if its path is not UTF-8.
+/// BeginKept() (explore/kept_exploration.h), or if its path is not UTF-8.
 Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);

@@ -124,6 +124,19 @@ class Sampler {
 
 }  // namespace
 
+std::pair<int64_t, int64_t> RunsOfShare(int64_t runs, int64_t share, int64_t shares) {
+  const int64_t each = runs / shares;
+  const int64_t more = runs % shares;
+  return {each * share + std::min(share, more), each + (share < more ? 1 : 0)};
+}
+
+int64_t ShareOfRun(int64_t run, int64_t runs, int64_t shares) {
+  const int64_t each = runs / shares;
+  const int64_t more = runs % shares;
+  const int64_t longer = more * (each + 1);  // runs of the first shares
+  return run < longer ? run / (each + 1) : more + (run - longer) / each;
+}
+
 void MergeInto(SampleCounts* samples, const SampleCounts& other) {
   samples->runs += other.runs;
   samples->bad += other.bad;

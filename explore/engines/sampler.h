@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "explore/engines/progress.h"
@@ -60,6 +61,11 @@ struct SampleCounts {
   std::vector<uint8_t> failing;
   StatementCoverage coverage = {};  ///< without a card (CardModel::coverage())
 };
+
+/// Of runs that are divided into shares, the first of which have one more: the number of the first
+/// run of a share, from 0, and its number of runs; and the share of a run.
+std::pair<int64_t, int64_t> RunsOfShare(int64_t runs, int64_t share, int64_t shares);
+int64_t ShareOfRun(int64_t run, int64_t runs, int64_t shares);
 
 /// Adds the results of other runs of the same sampler.
 void MergeInto(SampleCounts* samples, const SampleCounts& other);

@@ -29,10 +29,7 @@ void TakeOver(Exploration* found, SearchFile* file) {
 
 Result<Exploration> GoOn(const Problem& problem, const ExploreOptions& options,
                          const SearchKeeper& keep, SearchFile* file) {
-  ExploreOptions rest = options;
-  rest.engine = file->engine;
-  rest.seed = file->seed;
-  rest.depth = file->depth;
+  ExploreOptions rest = WithOptionsOf(*file, options);
   for (;;) {
     SetRest(*file, &rest);
     const int64_t before = file->traces.executions;

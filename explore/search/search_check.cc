@@ -132,18 +132,17 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
   return DoesNotFail();
 }
 
-/// Checks the results to be shown: they must have as many values as the program.
-Result<void> CheckEnds(size_t expected, const EndSet& ends) {
-  for (size_t i = 0; i < ends.ends().size(); ++i) {
-    const size_t found = ends.ends()[i].size();
-    if (found == expected) continue;
+}  // namespace
+
+Result<void> CheckEnds(size_t values, const std::vector<End>& ends) {
+  for (size_t i = 0; i < ends.size(); ++i) {
+    const size_t found = ends[i].size();
+    if (found == values) continue;
     return MakeError(1, "results[{0}]: {1} values, the program has {2}; explore again",
-                     "results[{0}]：有 {1} 个值，而程序有 {2} 个；请重新探索", i, found, expected);
+                     "results[{0}]：有 {1} 个值，而程序有 {2} 个；请重新探索", i, found, values);
   }
   return {};
 }
-
-}  // namespace
 
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t depth) {
   if (file.units) {
@@ -157,14 +156,16 @@ Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t
   }
   const bool random = file.engine != EngineKind::kDpor;
   const EndSet& ends = random ? file.samples.values : file.traces.ends;
-  if (auto checked = CheckEnds(EndOf(problem.model).size(), ends); !checked.ok()) return checked;
+  if (auto checked = CheckEnds(EndOf(problem.model).size(), ends.ends()); !checked.ok()) {
+    return checked;
+  }
   return CheckFailing(problem, random ? file.samples.failing : file.traces.failing,
                       (random ? file.samples.bad : file.traces.bad) > 0);
 }
 
 Result<void> CheckSamples(CardModel* model, const SampleCounts& samples) {
   const size_t values = EndOf(*model, model->Start()).size();
-  if (auto checked = CheckEnds(values, samples.values); !checked.ok()) return checked;
+  if (auto checked = CheckEnds(values, samples.values.ends()); !checked.ok()) return checked;
   if (samples.failing.empty() && samples.bad == 0) return {};
   CardWalk walk(model, false);
   for (size_t i = 0; i < samples.failing.size() && !walk.fault(); ++i) {

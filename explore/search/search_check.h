@@ -3,7 +3,9 @@
 // checked and is accepted. Tested by tests/explore/search_check_test.cc.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "base/result.h"
 #include "explore/models/problem.h"
@@ -16,6 +18,9 @@ namespace oncard::explore {
 /// run, in statements, that the search will follow.
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file,
                          int64_t depth = ExploreOptions{}.depth_limit);
+
+/// Fails if one of the results to be shown does not have as many values as the program.
+Result<void> CheckEnds(size_t values, const std::vector<End>& ends);
 
 /// The same for random runs of a program with its card: its results and the failing run.
 Result<void> CheckSamples(CardModel* model, const SampleCounts& samples);

@@ -77,10 +77,22 @@ TraceSearch TracesOfPart(const Problem& problem, const SearchPart& part) {
 }
 
 std::pair<int64_t, int64_t> RunsOfPart(int64_t runs, const SearchPart& part) {
-  const int64_t each = runs / part.count;
-  const int64_t more = runs % part.count;  // the first parts have one more
-  const int64_t before = part.number - 1;
-  return {each * before + std::min(before, more), each + (before < more ? 1 : 0)};
+  return RunsOfShare(runs, part.number - 1, part.count);
+}
+
+void BeginRuns(const ExploreOptions& options, const SearchPart& part, SearchFile* file) {
+  file->engine = options.engine;
+  file->seed = options.seed;
+  file->depth = options.depth;
+  file->runs = options.runs;
+  file->runs_cut = RunsOfPart(options.runs, part).second;
+}
+
+ExploreOptions WithOptionsOf(const SearchFile& file, ExploreOptions options) {
+  options.engine = file.engine;
+  options.seed = file.seed;
+  options.depth = file.depth;
+  return options;
 }
 
 Result<void> MergeInto(SearchFile* file, const SearchFile& other) {

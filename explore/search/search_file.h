@@ -62,6 +62,11 @@ TraceSearch TracesOfPart(const Problem& problem, const SearchPart& part);
 /// The number of its first run, and its number of runs.
 std::pair<int64_t, int64_t> RunsOfPart(int64_t runs, const SearchPart& part);
 
+/// Makes a new search one of random runs.
+void BeginRuns(const ExploreOptions& options, const SearchPart& part, SearchFile* file);
+/// The options with those that the file contains.
+ExploreOptions WithOptionsOf(const SearchFile& file, ExploreOptions options);
+
 /// Adds random runs, of which those that fail are of one case of the choices.
 void AddSamples(SampleCounts more, int64_t failing_case, SearchFile* file);
 

@@ -312,6 +312,11 @@ TEST_F(ExploreAnyInstant, RandomRunsInPartsAreThoseInOnePiece) {
   EXPECT_EQ(Json({"--merge", "act_check.1-of-2.search", "act_check.2-of-2.search"}), whole);
 }
 
+TEST_F(ExploreAnyInstant, WhatIsKeptSaysNothingOfCoverage) {
+  // Else a search in one go would say more than one that was continued.
+  EXPECT_FALSE(Json({"act_check.toml", "--search", "kept.search"}).contains("coverage"));
+}
+
 TEST_F(ExploreAnyInstant, AChangedScenarioIsRefused) {
   EXPECT_EQ(Explore({"act_check.toml", "--shard=1/121"}).exit_code, 5);
   std::string keys = scratch_.Read("act_check.toml");

@@ -1,6 +1,6 @@
 // Searches of scenarios with a card or choices that are kept in files
-// (explore/kept_exploration.h), beside the same searches in one piece.
-#include "explore/kept_exploration.h"
+// (explore/kept_cases.h), beside the same searches in one piece.
+#include "explore/kept_cases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ constexpr const char* kCounters =
     "int t2() { GT_AxisOn(1); return 0; }\n";
 constexpr const char* kSlowCounters = "rate = 20\n";
 
-class KeptExploration : public ::testing::Test {
+class KeptCases : public ::testing::Test {
  protected:
   void Load(const std::string& source, const std::string& keys) {
     loaded_ = LoadedOf(source, keys);
@@ -89,7 +89,7 @@ class KeptExploration : public ::testing::Test {
   LoadedScenario loaded_;
 };
 
-TEST_F(KeptExploration, PartsOfTheCasesAreReportedAsTheWhole) {
+TEST_F(KeptCases, PartsOfTheCasesAreReportedAsTheWhole) {
   Load(kLosers, std::string(kHolds) + kFour);
   for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kStateful, EngineKind::kBounded}) {
     const ExploreOptions options = {.engine = engine};
@@ -102,7 +102,7 @@ TEST_F(KeptExploration, PartsOfTheCasesAreReportedAsTheWhole) {
   }
 }
 
-TEST_F(KeptExploration, ProgramsWithoutACardHaveCasesToo) {
+TEST_F(KeptCases, ProgramsWithoutACardHaveCasesToo) {
   Load("int g, x;\nint t0() { g = g + x; return 0; }\nint t1() { g = g + x; return 0; }\n",
        std::string("final = [\"g == 2 * x\"]\n") + kFour);
   for (const EngineKind engine : {EngineKind::kDpor, EngineKind::kStateful}) {
@@ -114,7 +114,7 @@ TEST_F(KeptExploration, ProgramsWithoutACardHaveCasesToo) {
   EXPECT_THAT(begun.error().message.en, HasSubstr("4 cases to be divided, and 5 parts"));
 }
 
-TEST_F(KeptExploration, AFailureOfOnePartIsThatOfTheWhole) {
+TEST_F(KeptCases, AFailureOfOnePartIsThatOfTheWhole) {
   Load(kLosers, std::string(kFails) + kFour);
   const Findings whole = Whole({});
   ASSERT_EQ(whole.exploration.verdict, Verdict::kFailed);
@@ -133,7 +133,7 @@ TEST_F(KeptExploration, AFailureOfOnePartIsThatOfTheWhole) {
   EXPECT_EQ(GoOn({}, &first).exploration.verdict, Verdict::kPassed);
 }
 
-TEST_F(KeptExploration, APartThatIsMissingOrNotCompleteIsNoProof) {
+TEST_F(KeptCases, APartThatIsMissingOrNotCompleteIsNoProof) {
   Load(kLosers, std::string(kHolds) + kFour);
   SearchFile all = Begin({}, {1, 3});
   GoOn({}, &all);
@@ -152,7 +152,7 @@ TEST_F(KeptExploration, APartThatIsMissingOrNotCompleteIsNoProof) {
   EXPECT_EQ(GoOn({}, &all).exploration.verdict, Verdict::kProved);
 }
 
-TEST_F(KeptExploration, ItGoesOnWhereALimitEndedIt) {
+TEST_F(KeptCases, ItGoesOnWhereALimitEndedIt) {
   const std::pair<std::string, std::string> searches[] = {{kLosers, std::string(kHolds) + kFour},
                                                           {kCounters, kSlowCounters}};
   for (const auto& [source, keys] : searches) {
@@ -174,7 +174,7 @@ TEST_F(KeptExploration, ItGoesOnWhereALimitEndedIt) {
   }
 }
 
-TEST_F(KeptExploration, ASearchThatIsToldToEndKeepsItsUnits) {
+TEST_F(KeptCases, ASearchThatIsToldToEndKeepsItsUnits) {
   Load(kLosers, std::string(kHolds) + kFour);
   SearchProgress progress;
   const ExploreOptions options = {.engine = EngineKind::kStateful, .progress = &progress};
@@ -195,7 +195,7 @@ TEST_F(KeptExploration, ASearchThatIsToldToEndKeepsItsUnits) {
   EXPECT_EQ(Report(GoOn({}, &file)), Report(Whole({.engine = EngineKind::kStateful})));
 }
 
-TEST_F(KeptExploration, SchedulesOfOneCaseAreDivided) {
+TEST_F(KeptCases, SchedulesOfOneCaseAreDivided) {
   Load(kCounters, kSlowCounters);
   const ExploreOptions options = {.engine = EngineKind::kStateful};
   const Findings whole = Whole(options);
@@ -207,7 +207,7 @@ TEST_F(KeptExploration, SchedulesOfOneCaseAreDivided) {
   EXPECT_THAT(Report(all), HasSubstr("; some counted in several groups of schedules\n"));
 }
 
-TEST_F(KeptExploration, RandomRunsInPartsAreThoseInOnePiece) {
+TEST_F(KeptCases, RandomRunsInPartsAreThoseInOnePiece) {
   for (const char* asked : {kHolds, kFails}) {
     Load(kLosers, std::string(asked) + kFour);
     for (const EngineKind engine : {EngineKind::kRandom, EngineKind::kPct, EngineKind::kPos}) {
@@ -225,7 +225,7 @@ TEST_F(KeptExploration, RandomRunsInPartsAreThoseInOnePiece) {
   }
 }
 
-TEST_F(KeptExploration, WhatIsRefusedAndUntestedIsKept) {
+TEST_F(KeptCases, WhatIsRefusedAndUntestedIsKept) {
   Load("int g, x;\nint t0() {\n  GT_AxisOn(9);\n  g = x;\n  return 0;\n}\n",
        std::string("never = [\"g == 7 && x == 0\"]\n") + kFour);
   const Findings whole = Whole({});
@@ -240,7 +240,7 @@ TEST_F(KeptExploration, WhatIsRefusedAndUntestedIsKept) {
   EXPECT_EQ(all.untested.front().en, whole.untested.front().en);
 }
 
-TEST_F(KeptExploration, TheHashIsOfAllThatDecides) {
+TEST_F(KeptCases, TheHashIsOfAllThatDecides) {
   const auto hash = [&](const std::string& source, const std::string& keys) {
     Load(source, keys);
     return HashByCases(Searched()).value();
@@ -256,7 +256,7 @@ TEST_F(KeptExploration, TheHashIsOfAllThatDecides) {
   EXPECT_NE(hash(source, std::string(kHolds) + kFour), first);
 }
 
-TEST_F(KeptExploration, AFileThatDoesNotFitIsRefused) {
+TEST_F(KeptCases, AFileThatDoesNotFitIsRefused) {
   Load(kLosers, std::string(kHolds) + kFour);
   const SearchFile units = Begin({});
   SearchFile file = units;
