@@ -22,12 +22,12 @@ namespace oncard::explore {
 namespace {
 
 /// The cases of what is searched.
-class Cases {
+class KeptCases {
  public:
-  static Result<Cases> Of(const SearchedScenario& searched) {
+  static Result<KeptCases> Of(const SearchedScenario& searched) {
     auto choices = ChoicesToExplore(searched.scenario, searched.requirements, searched.object);
     if (!choices.ok()) return choices.error();
-    return Cases(searched, std::move(choices).value());
+    return KeptCases(searched, std::move(choices).value());
   }
 
   int64_t count() const { return choices_.cases(); }
@@ -86,7 +86,7 @@ class Cases {
   }
 
  private:
-  Cases(const SearchedScenario& searched, runtime::Choices choices)
+  KeptCases(const SearchedScenario& searched, runtime::Choices choices)
       : searched_(searched), choices_(std::move(choices)) {}
 
   SearchedScenario searched_;
@@ -132,7 +132,7 @@ void ShowRemarks(const Remarks& remarks, Findings* findings) {
 
 // --- Random runs ---------------------------------------------------------------------------------
 
-Result<Findings> ConcludeRuns(const Cases& cases, const SearchFile& file, Message why) {
+Result<Findings> ConcludeRuns(const KeptCases& cases, const SearchFile& file, Message why) {
   Exploration exploration = ConcludeSamples(file.engine, file.samples);
   const bool fails = file.samples.bad > 0;
   if (!fails && (!file.done() || !file.whole())) {
@@ -151,7 +151,7 @@ Result<Findings> ConcludeRuns(const Cases& cases, const SearchFile& file, Messag
   return findings;
 }
 
-Result<Findings> GoOnRuns(const Cases& cases, const ExploreOptions& options,
+Result<Findings> GoOnRuns(const KeptCases& cases, const ExploreOptions& options,
                           const SearchKeeper& keep, SearchFile* file) {
   ExploreOptions rest = WithOptionsOf(*file, options);
   bool goes_on = true;
@@ -220,6 +220,7 @@ ExploreOptions OptionsOfUnit(const SearchFile& file, int64_t unit, const Explore
   rest.engine = file.engine;
   rest.all = units.all;
   rest.islands = units.islands;
+  rest.reductions = units.reductions;
   rest.merge_private = units.merge_private;
   rest.preemption_limit = units.preemptions;
   rest.cases = units.cases;
@@ -229,7 +230,7 @@ ExploreOptions OptionsOfUnit(const SearchFile& file, int64_t unit, const Explore
 }
 
 /// Searches the unit that fails once more.
-Result<Findings> FailAgain(const Cases& cases, const ExploreOptions& options,
+Result<Findings> FailAgain(const KeptCases& cases, const ExploreOptions& options,
                            const SearchFile& file) {
   const int64_t unit = *file.units->failing;
   auto found = cases.Explore(unit / file.units->groups, OptionsOfUnit(file, unit, options));
@@ -242,7 +243,7 @@ Result<Findings> FailAgain(const Cases& cases, const ExploreOptions& options,
 
 /// The search so far. `shown` are the findings of the unit that fails, or of one that is not
 /// complete, if there is one.
-Result<Findings> ConcludeUnits(const Cases& cases, const ExploreOptions& options,
+Result<Findings> ConcludeUnits(const KeptCases& cases, const ExploreOptions& options,
                                const SearchFile& file, std::optional<Findings> shown) {
   const UnitSearch& units = *file.units;
   if (units.failing && !shown) {
@@ -310,7 +311,7 @@ void TakeUnit(Findings* findings, SearchFile* file) {
   AddRemarks(*findings, &file->remarks);
 }
 
-Result<Findings> GoOnUnits(const Cases& cases, const ExploreOptions& options,
+Result<Findings> GoOnUnits(const KeptCases& cases, const ExploreOptions& options,
                            const SearchKeeper& keep, SearchFile* file) {
   UnitSearch& units = *file->units;
   std::optional<Findings> shown;
@@ -353,13 +354,13 @@ Result<Findings> GoOnUnits(const Cases& cases, const ExploreOptions& options,
 }  // namespace
 
 Result<bool> IsKeptByCases(const SearchedScenario& searched) {
-  const auto cases = Cases::Of(searched);
+  const auto cases = KeptCases::Of(searched);
   if (!cases.ok()) return cases.error();
   return cases.value().with_card() || cases.value().any_open();
 }
 
 Result<uint64_t> HashByCases(const SearchedScenario& searched) {
-  const auto cases = Cases::Of(searched);
+  const auto cases = KeptCases::Of(searched);
   if (!cases.ok()) return cases.error();
   if (cases.value().with_card()) {
     const auto card = cases.value().Card(0);
@@ -373,9 +374,9 @@ Result<uint64_t> HashByCases(const SearchedScenario& searched) {
 
 Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreOptions& options,
                                 const SearchPart& part) {
-  const auto of = Cases::Of(searched);
+  const auto of = KeptCases::Of(searched);
   if (!of.ok()) return of.error();
-  const Cases& cases = of.value();
+  const KeptCases& cases = of.value();
   SearchFile file;
   file.engine = options.engine;
   file.races = searched.scenario.races;
@@ -399,6 +400,7 @@ Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreO
   units.cases = cases.count();
   units.all = options.all;
   units.islands = options.islands;
+  units.reductions = options.reductions;
   units.merge_private = options.merge_private;
   units.preemptions = options.preemption_limit;
   if (cases.with_card()) {
@@ -425,9 +427,9 @@ Result<SearchFile> BeginByCases(const SearchedScenario& searched, const ExploreO
 }
 
 Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& file) {
-  const auto of = Cases::Of(searched);
+  const auto of = KeptCases::Of(searched);
   if (!of.ok()) return of.error();
-  const Cases& cases = of.value();
+  const KeptCases& cases = of.value();
   if (!file.units && !IsRandom(file.engine)) {
     return MakeError(1, "engine: this search is one of units; explore again",
                      "engine：该搜索应按单元进行；请重新探索");
@@ -457,7 +459,7 @@ Result<void> CheckByCases(const SearchedScenario& searched, const SearchFile& fi
 
 Result<Findings> GoOnByCases(const SearchedScenario& searched, const ExploreOptions& options,
                              const SearchKeeper& keep, SearchFile* file) {
-  const auto cases = Cases::Of(searched);
+  const auto cases = KeptCases::Of(searched);
   if (!cases.ok()) return cases.error();
   return file->units ? GoOnUnits(cases.value(), options, keep, file)
                      : GoOnRuns(cases.value(), options, keep, file);
@@ -465,7 +467,7 @@ Result<Findings> GoOnByCases(const SearchedScenario& searched, const ExploreOpti
 
 Result<Findings> ConcludeByCases(const SearchedScenario& searched, const ExploreOptions& options,
                                  const SearchFile& file) {
-  const auto cases = Cases::Of(searched);
+  const auto cases = KeptCases::Of(searched);
   if (!cases.ok()) return cases.error();
   return file.units ? ConcludeUnits(cases.value(), options, file, std::nullopt)
                     : ConcludeRuns(cases.value(), file, {});

@@ -75,7 +75,7 @@ class IslandSearch {
   bool Expand(const State& state) {
     const uint32_t all = states_.ChoicesOf(state);
     for (uint32_t choices = all; choices != 0; choices &= choices - 1) {
-      AddAccesses(states_.NewLastingAccess(state, std::countr_zero(choices)), &accesses_);
+      runtime::AddAccesses(states_.NewLastingAccess(state, std::countr_zero(choices)), &accesses_);
     }
     for (uint32_t choices = all; choices != 0; choices &= choices - 1) {
       if (!EnterFrom(states_.Step(state, std::countr_zero(choices)))) return false;

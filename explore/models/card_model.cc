@@ -7,6 +7,7 @@
 
 #include "base/milliseconds.h"
 #include "explore/models/word_key.h"
+#include "runtime/observe/lasting_access.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/run/scenario_card.h"
@@ -56,6 +57,16 @@ bool CountsStatements(const runtime::CardCondition& condition) {
     return quantity.kind == runtime::QuantityKind::kThreadStatements ||
            quantity.kind == runtime::QuantityKind::kStatements;
   });
+}
+
+/// What a condition is read from.
+runtime::StatementAccess AccessOf(const runtime::CardCondition& condition,
+                                  const runtime::Controller& controller) {
+  runtime::StatementAccess access;
+  for (const runtime::Quantity& quantity : condition.quantities()) {
+    runtime::AddAccesses(runtime::LastingAccessOf(quantity, controller), &access);
+  }
+  return access;
 }
 
 /// The values of all globals.
@@ -183,24 +194,42 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
   counts_statements_ = AnyCountsStatements();
 }
 
+template <typename Look>
+void CardModel::ForEachCondition(const Look& look) const {
+  for (const BoundRequirement& bound : requirements_) {
+    look(bound.condition);
+    if (bound.then) look(*bound.then);
+    if (bound.matters) look(*bound.matters);
+  }
+  for (const Requirement& assert : asserts_.asserts()) {
+    for (const ThreadSetup& setup : setups_) {
+      const auto read =
+          runtime::CardCondition::ReadInThread(assert.text, setup.thread, *controller_);
+      if (read.ok()) look(read.value());
+    }
+  }
+  for (const runtime::InputReaction& reaction : scenario_.world.reactions) {
+    const auto read = runtime::CardCondition::Read(reaction.when, *controller_);
+    if (read.ok()) look(read.value());
+  }
+}
+
 bool CardModel::AnyCountsStatements() const {
-  const auto counts = [](const Result<runtime::CardCondition>& condition) {
-    return condition.ok() && CountsStatements(condition.value());
-  };
-  const auto of_requirement = [](const BoundRequirement& bound) {
-    return CountsStatements(bound.condition) || (bound.then && CountsStatements(*bound.then));
-  };
-  const auto of_assert = [&](const Requirement& assert) {
-    return std::ranges::any_of(setups_, [&](const ThreadSetup& setup) {
-      return counts(runtime::CardCondition::ReadInThread(assert.text, setup.thread, *controller_));
-    });
-  };
-  const auto of_reaction = [&](const runtime::InputReaction& reaction) {
-    return counts(runtime::CardCondition::Read(reaction.when, *controller_));
-  };
-  return std::ranges::any_of(requirements_, of_requirement) ||
-         std::ranges::any_of(asserts_.asserts(), of_assert) ||
-         std::ranges::any_of(scenario_.world.reactions, of_reaction);
+  bool any = false;
+  ForEachCondition(
+      [&](const runtime::CardCondition& condition) { any = any || CountsStatements(condition); });
+  return any;
+}
+
+std::vector<vm::SlotAddress> CardModel::NamedLocals() const {
+  std::vector<vm::SlotAddress> slots;
+  ForEachCondition([&](const runtime::CardCondition& condition) {
+    for (const runtime::Quantity& quantity : condition.quantities()) {
+      const bool local = quantity.kind == runtime::QuantityKind::kVariable && !quantity.slot.global;
+      if (local) slots.push_back(quantity.slot);
+    }
+  });
+  return slots;
 }
 
 void CardModel::BindGuards() {
@@ -711,6 +740,28 @@ void CardModel::CopyVariables(State* state) const {
 bool CardModel::NextDependOnEachOther(int a, int b) const {
   return FindDependence(NextAccess(*controller_, setup(a).thread),
                         NextAccess(*controller_, setup(b).thread)) != nullptr;
+}
+
+runtime::StatementAccess CardModel::WatchedAccess() const {
+  runtime::StatementAccess access;
+  const auto add = [&](const std::optional<runtime::CardCondition>& condition) {
+    if (condition) runtime::AddAccesses(AccessOf(*condition, *controller_), &access);
+  };
+  for (const BoundRequirement& bound : requirements_) {
+    if (bound.requirement.scope == Scope::kFinal) continue;
+    add(bound.condition);
+    add(bound.then);
+    add(bound.matters);
+  }
+  return access;
+}
+
+std::optional<runtime::StatementAccess> CardModel::AccessOfAssert(int thread,
+                                                                  const vm::Assert& assert) const {
+  const auto bound =
+      runtime::CardCondition::ReadInThread(assert.condition, setup(thread).thread, *controller_);
+  if (!bound.ok()) return std::nullopt;
+  return AccessOf(bound.value(), *controller_);
 }
 
 int64_t CardModel::CycleOf(const State& state) { return state.body->values.motion.cycle; }

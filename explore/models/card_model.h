@@ -29,6 +29,7 @@
 #include "explore/models/races.h"
 #include "explore/models/state_key.h"
 #include "explore/models/statement_coverage.h"
+#include "runtime/observe/statement_access.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
 #include "runtime/scenario/run/assert_watch.h"
@@ -161,6 +162,17 @@ class CardModel {
   /// requirement n is, or is a part of, this model's requirement `origins[n]`.
   void Include(const CardModel& island, const std::vector<size_t>& origins);
 
+  /// What the conditions of requirements on every state are read from, and what the condition of an
+  /// assert of a thread is read from (runtime/observe/lasting_access.h); that is empty if it is no
+  /// condition.
+  runtime::StatementAccess WatchedAccess() const;
+  std::optional<runtime::StatementAccess> AccessOfAssert(int thread,
+                                                         const vm::Assert& assert) const;
+
+  /// The locals that requirements, asserts and reactions name, with the data pages of their
+  /// threads.
+  std::vector<vm::SlotAddress> NamedLocals() const;
+
   /// The cycle before which the host has made all its calls, in the current state of such a run.
   int64_t host_acted_until() const { return host_acted_until_; }
 
@@ -194,7 +206,10 @@ class CardModel {
   void BindRequirements(const std::vector<Requirement>& requirements,
                         runtime::ScenarioErrors* errors);
   void BindGuards();
-  /// True if what is checked or awaited depends on how many statements were executed.
+  /// Calls `look` with each condition that is checked or awaited.
+  template <typename Look>
+  void ForEachCondition(const Look& look) const;
+  /// True if any of them depends on how many statements were executed.
   bool AnyCountsStatements() const;
   /// Prepares the search for races, or refuses it.
   void BindRaces(runtime::ScenarioErrors* errors);

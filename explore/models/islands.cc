@@ -68,12 +68,6 @@ std::vector<std::string> PartsOf(Scope scope, std::string_view text) {
 
 }  // namespace
 
-void AddAccesses(const StatementAccess& from, StatementAccess* to) {
-  for (const Touched& touched : from) {
-    if (std::ranges::find(*to, touched) == to->end()) to->push_back(touched);
-  }
-}
-
 std::optional<Islands> Islands::Of(const CardModel& whole) {
   if (!CanHaveIslands(whole)) return std::nullopt;
   // What the model has noted of its runs stays as it is.
@@ -99,8 +93,9 @@ void Islands::Watch(CardModel* model) {
   CardModel::State state = model->Begin();
   for (int64_t i = 0; i < kWatchedStatements && !state.ended; ++i) {
     const int thread = std::countr_zero(state.choices);
-    AddAccesses(runtime::NextLastingAccess(model->controller(), model->setup(thread).thread),
-                &islands_[static_cast<size_t>(thread)].accesses);
+    runtime::AddAccesses(
+        runtime::NextLastingAccess(model->controller(), model->setup(thread).thread),
+        &islands_[static_cast<size_t>(thread)].accesses);
     model->Advance(&state, thread);
   }
 }
@@ -110,13 +105,9 @@ bool Islands::AddAsserts(const CardModel& whole) {
   for (int i = 0; i < whole.thread_count(); ++i) {
     const ThreadSetup& setup = whole.setup(i);
     for (const vm::Assert& assert : object.functions[static_cast<size_t>(setup.function)].asserts) {
-      const auto bound =
-          runtime::CardCondition::ReadInThread(assert.condition, setup.thread, whole.controller());
-      if (!bound.ok()) return false;
-      for (const runtime::Quantity& quantity : bound.value().quantities()) {
-        AddAccesses(runtime::LastingAccessOf(quantity, whole.controller()),
-                    &islands_[static_cast<size_t>(i)].accesses);
-      }
+      const auto access = whole.AccessOfAssert(i, assert);
+      if (!access) return false;
+      runtime::AddAccesses(*access, &islands_[static_cast<size_t>(i)].accesses);
     }
   }
   return true;
@@ -154,7 +145,7 @@ bool Islands::AddPart(Part part, const CardModel& whole) {
     if (!bound.ok()) return false;
     for (const runtime::Quantity& quantity : bound.value().quantities()) {
       part.lasts = part.lasts || !runtime::IsOfProgram(quantity.kind);
-      AddAccesses(runtime::LastingAccessOf(quantity, whole.controller()), &part.reads);
+      runtime::AddAccesses(runtime::LastingAccessOf(quantity, whole.controller()), &part.reads);
     }
   }
   // All that set something which it names are then found to be one island.
@@ -163,7 +154,7 @@ bool Islands::AddPart(Part part, const CardModel& whole) {
     part.thread = std::countr_zero(island.threads);
     break;
   }
-  AddAccesses(part.reads, &islands_[IslandOf(part.thread)].accesses);
+  runtime::AddAccesses(part.reads, &islands_[IslandOf(part.thread)].accesses);
   parts_.push_back(std::move(part));
   return true;
 }
@@ -175,7 +166,7 @@ size_t Islands::IslandOf(int thread) const {
 }
 
 bool Islands::Add(size_t island, const StatementAccess& accesses) {
-  AddAccesses(accesses, &islands_[island].accesses);
+  runtime::AddAccesses(accesses, &islands_[island].accesses);
   return Join();
 }
 
@@ -187,7 +178,7 @@ bool Islands::Join() {
         continue;
       }
       islands_[other].threads |= islands_[one].threads;
-      AddAccesses(islands_[one].accesses, &islands_[other].accesses);
+      runtime::AddAccesses(islands_[one].accesses, &islands_[other].accesses);
       islands_.erase(islands_.begin() + static_cast<std::ptrdiff_t>(one));
       joined = true;
       // Those that have been compared may depend on what is one island now.

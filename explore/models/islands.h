@@ -96,7 +96,4 @@ class Islands {
   std::vector<Part> parts_;
 };
 
-/// Adds the accesses that are not there.
-void AddAccesses(const runtime::StatementAccess& from, runtime::StatementAccess* to);
-
 }  // namespace oncard::explore

@@ -331,6 +331,12 @@ bool IsOfAxis(Resource resource) {
          resource == Resource::kControl;
 }
 
+void AddAccesses(const StatementAccess& from, StatementAccess* to) {
+  for (const Touched& touched : from) {
+    if (std::ranges::find(*to, touched) == to->end()) to->push_back(touched);
+  }
+}
+
 StatementAccess NextAccess(const Controller& controller, int thread) {
   return NextStatement(controller, thread, false).Access();
 }

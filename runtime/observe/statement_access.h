@@ -41,6 +41,9 @@ bool IsOfAxis(gtcalls::Resource resource);
 /// Resources that are private to a thread are not included.
 using StatementAccess = std::vector<Touched>;
 
+/// Adds the accesses that are not there.
+void AddAccesses(const StatementAccess& from, StatementAccess* to);
+
 /// The accesses of the next statement of a running thread, for the current values of the variables.
 StatementAccess NextAccess(const Controller& controller, int thread);
 
