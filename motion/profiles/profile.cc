@@ -44,6 +44,14 @@ void Profile::Stop(Micros instant, double deceleration) {
   stopping = false;
 }
 
+void Profile::ForgetRuns() {
+  trap.ForgetRun();
+  if (stopping) return;
+  stop_deceleration = 0;
+  stop_begin = 0;
+  stop_plan = {};
+}
+
 bool Profile::HoldAtLimit() {
   if (mode != ProfileMode::kGear || !gear.running || !gear.direct.given) return false;
   now = {now.position, 0, 0, true};

@@ -63,6 +63,9 @@ struct Profile {
   /// The plan that the output follows directly from the returned instant on, for a profile that
   /// moves without a master; nullptr if the output is computed otherwise.
   std::pair<const Plan*, Micros> FollowedPlan() const;
+  /// Without what is left of stops, and of runs in the mode Trap, that have ended. Nothing reads it
+  /// any more, so that profiles which differ only in it go on equally.
+  void ForgetRuns();
   /// Sets the position of a profile at rest.
   void SetPosition(double position) { now = AtRest(position); }
 

@@ -126,6 +126,15 @@ Sample TrapMode::At(Micros now) {
           (head.position - tail.position) / smooth, (head.velocity - tail.velocity) / smooth, true};
 }
 
+void TrapMode::ForgetRun() {
+  if (running) return;
+  plan = {};
+  unplanned = {};
+  begin = 0;
+  smooth = 0;
+  past.clear();
+}
+
 void TrapMode::Halt() {
   running = false;
   past.clear();

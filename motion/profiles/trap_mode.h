@@ -51,6 +51,8 @@ struct TrapMode {
   Sample At(Micros now);
   /// Something else has taken over; the registers stay.
   void Halt();
+  /// Without what is left of a run that has ended, which nothing reads any more.
+  void ForgetRun();
   /// The plan that the output follows; nullptr if it is smoothed.
   const Plan* FollowedPlan() const { return running && smooth == 0 ? &plan : nullptr; }
 

@@ -57,6 +57,48 @@ TEST(ProfileStop, WithAnInfiniteDecelerationItRestsInTheSameCycle) {
   }
 }
 
+TEST(ProfileAtRest, GoesOnTheSameWithoutWhatIsLeftOfItsRuns) {
+  for (const int16_t smooth : {int16_t{0}, int16_t{20}}) {
+    ProfileRun run;
+    run.SetTrap({.acc = 0.25, .dec = 0.125, .smooth_time = smooth});
+    run.MoveTo(500, 5);
+    run.At(100);
+    run.Stop(1);
+    run.At(500);
+    run.MoveTo(900, 5);
+    run.At(2000);
+    ProfileRun forgetful = run;
+    forgetful.profile.ForgetRuns();
+    EXPECT_NE(forgetful.profile.trap.begin, run.profile.trap.begin);
+    EXPECT_NE(forgetful.profile.stop_begin, run.profile.stop_begin);
+    for (ProfileRun* each : {&run, &forgetful}) each->MoveTo(-300, 3);
+    for (int tick = 0; tick < 2000; ++tick) {
+      if (tick == 200) {
+        run.Stop(0.5);
+        forgetful.Stop(0.5);
+      }
+      if (tick == 800) {
+        run.MoveTo(100, 7);
+        forgetful.MoveTo(100, 7);
+      }
+      ASSERT_EQ(run.Tick(), forgetful.Tick()) << tick;
+    }
+  }
+}
+
+TEST(ProfileAtRest, ForgetsNothingWhileItMoves) {
+  ProfileRun run;
+  run.SetTrap({.acc = 0.25, .dec = 0.125, .smooth_time = 20});
+  run.MoveTo(50000, 50);
+  run.At(100);
+  for (const bool stops : {false, true}) {
+    if (stops) run.Stop(1);
+    ProfileRun forgetful = run;
+    forgetful.profile.ForgetRuns();
+    for (int tick = 0; tick < 100; ++tick) ASSERT_EQ(run.Tick(), forgetful.Tick()) << tick;
+  }
+}
+
 TEST(ProfileStop, BeginsAtTheVelocityThatCameOut) {
   // After 100 ms the plan's velocity is 25; that of the smoothed output is 21.875.
   ProfileRun run;
