@@ -65,7 +65,10 @@ uint32_t CardRows::NumberOfThread(size_t place) {
   const ThreadState& state = machine.threads[static_cast<size_t>(numbers_[place])];
   // When it starts again depends on more than itself.
   if (state.period_cycles != 0) exact_ = false;
-  std::vector<int64_t> page = Trimmed(machine.pages[state.page]);
+  return NumberOfThread(state, Trimmed(machine.pages[state.page]));
+}
+
+uint32_t CardRows::NumberOfThread(const ThreadState& state, std::vector<int64_t> page) {
   const auto words = vm::WordsOf(state);
   key_.assign(words.begin(), words.end() - vm::kCountWords);
   key_.insert(key_.end(), page.begin(), page.end());
@@ -115,7 +118,10 @@ uint32_t CardRows::NumberOfParts(std::vector<uint32_t> parts) {
 }
 
 uint32_t CardRows::NumberOfBody() {
-  const runtime::CardBody body = card_.Body();
+  runtime::CardBody body = card_.Body();
+  if (forgets_runs_) {
+    for (motion::Profile& profile : body.motion.profiles) profile.ForgetRuns();
+  }
   // Instants are those of the clock with which the card has begun.
   if (body.clock) exact_ = false;
   std::vector<uint32_t> parts;

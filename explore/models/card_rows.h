@@ -64,6 +64,10 @@ class CardRows {
   /// False: a row does not say everything that the future depends on. Known when it is made.
   bool exact() const { return exact_; }
 
+  /// From now on bodies that differ only in what is left of ended runs are one
+  /// (motion::Profile::ForgetRuns()).
+  void ForgetRuns() { forgets_runs_ = true; }
+
   static StateKey KeyOf(const Row& row);
   bool Ended(const Row& row) const { return ProgressOf(row).ended; }
   int64_t CycleOf(const Row& row) const { return BodyOf(row).cycle; }
@@ -103,6 +107,8 @@ class CardRows {
   bool SomeoneFinishes(const Row& row) const;
 
   void SetThread(size_t place, uint32_t number, Row* row) const { row->parts[place] = number; }
+  /// The number of a thread with these values in its page.
+  uint32_t NumberOfThread(const vm::ThreadState& state, std::vector<int64_t> page);
   void SetBody(uint32_t number, Row* row) const { row->parts[thread_count() + 1] = number; }
   /// Changes parts of the body.
   void SetBodyParts(const std::vector<std::pair<size_t, uint32_t>>& parts, Row* row);
@@ -141,6 +147,7 @@ class CardRows {
   CardModel& model_;
   runtime::Controller& card_;
   bool exact_ = true;
+  bool forgets_runs_ = false;
   runtime::BodyDivision division_;
   std::vector<int> numbers_;    ///< of the bound threads on the card
   std::vector<size_t> places_;  ///< of the model's threads among them

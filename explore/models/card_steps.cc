@@ -93,10 +93,38 @@ void CardSteps::PlanInstructions() {
     for (const vm::Instruction& instruction : function.instructions) {
       Instruction& plan = plans.emplace_back();
       for (const vm::Operand& operand : instruction.operands) add_operand(operand, &plan);
-      if (instruction.opcode == vm::Opcode::kCommand) add_command(instruction.op, &plan);
+      if (instruction.opcode != vm::Opcode::kCommand) continue;
+      add_command(instruction.op, &plan);
+      PlanOutputs(instruction, &plan);
     }
     for (const vm::Assert& each : function.asserts) {
       if (each.position < plans.size()) plans[each.position].alone = true;
+    }
+  }
+}
+
+void CardSteps::PlanOutputs(const vm::Instruction& instruction, Instruction* plan) const {
+  const vm::CommandShape* shape = card_.commands().Find(instruction.op);
+  if (plan->command == nullptr || shape == nullptr || plan->changes_body) return;
+  const auto& operands = instruction.operands;
+  for (size_t i = 0; i < operands.size() && i < shape->parameters.size(); ++i) {
+    const vm::ParameterShape& parameter = shape->parameters[i];
+    const auto* variable = std::get_if<vm::Variable>(&operands[i]);
+    if (!parameter.address || parameter.elements_on_card || variable == nullptr) continue;
+    if (plan->command->parameters[i].passing != gtcalls::Passing::kOutput) continue;
+    if (variable->storage != vm::Storage::kLocal) continue;
+    int64_t elements = 1;
+    if (parameter.count_parameter >= 0) {
+      const auto* count =
+          std::get_if<vm::Immediate>(&operands[static_cast<size_t>(parameter.count_parameter)]);
+      if (count == nullptr) continue;
+      elements = count->raw >> vm::kFractionBits;
+    }
+    const int64_t slots = elements * static_cast<int64_t>(parameter.slots.size());
+    if (slots <= 0 || variable->id + slots > vm::kSlotCount) continue;
+    plan->outputs.operands.push_back(i);
+    for (int64_t slot = 0; slot < slots; ++slot) {
+      plan->outputs.slots.push_back(static_cast<uint16_t>(variable->id + slot));
     }
   }
 }
@@ -323,7 +351,30 @@ CardSteps::Statement CardSteps::Execute(const Row& row, size_t place,
     statement.history = NumberOfHistory();
     statement.alone = statement.alone || !instruction.changes_body;
   }
+  if (watches_outputs_ && !instruction.outputs.slots.empty()) {
+    statement.writes_outputs = WritesOutputs(row, place, instruction, ThreadWith(statement.thread));
+  }
   return statement;
+}
+
+bool CardSteps::WritesOutputs(const Row& row, size_t place, const Instruction& instruction,
+                              const Thread& after) {
+  if (after.state.error != vm::kOk) return false;
+  // What it does not write stays different when it is executed with other values.
+  Load(row);
+  const ThreadState& thread = ThreadOf(row, place).state;
+  vm::Machine& machine = card_.machine();
+  const auto slot_of = [&](uint16_t slot) {
+    return vm::SlotAddress{false, thread.page, slot, vm::DataType::kDouble};
+  };
+  for (const uint16_t slot : instruction.outputs.slots) {
+    machine.WriteRaw(slot_of(slot), machine.ReadRaw(slot_of(slot)) ^ 1);
+  }
+  machine.ExecuteOne(NumberOnCard(place));
+  return std::ranges::all_of(instruction.outputs.slots, [&](uint16_t slot) {
+    const int64_t value = slot < after.page.size() ? after.page[slot] : 0;
+    return machine.ReadRaw(slot_of(slot)) == value;
+  });
 }
 
 const CardSteps::BodyAccess& CardSteps::AccessOf(const Row& row, size_t place,

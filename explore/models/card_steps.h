@@ -44,6 +44,22 @@ class CardSteps : public CardRows {
   /// (runtime/observe/lasting_access.h); empty if that has been given before.
   runtime::StatementAccess NewLastingAccess(const Row& row, int thread);
 
+  /// The locals that a command writes unless it is refused, by the code; of a command that changes
+  /// the card none.
+  struct Outputs {
+    std::vector<size_t> operands;
+    std::vector<uint16_t> slots;
+  };
+  const Outputs& OutputsOf(size_t function, size_t position) const {
+    return instructions_[function][position].outputs;
+  }
+  /// Statements are watched from now on: whether they write all their outputs.
+  void WatchOutputs() { watches_outputs_ = true; }
+  /// True if the next statement of a thread does.
+  bool WritesOutputs(const Row& row, size_t place) {
+    return StatementOf(row, place).writes_outputs;
+  }
+
  private:
   /// What a statement does.
   struct Statement {
@@ -52,6 +68,7 @@ class CardSteps : public CardRows {
     std::optional<uint32_t> history;  ///< if it changes it
     std::vector<GlobalWrite> globals;
     std::vector<std::pair<size_t, uint32_t>> body;  ///< its parts
+    bool writes_outputs = false;                    ///< all of them; if outputs are watched
   };
   struct Cycle {
     uint32_t body = 0;
@@ -67,6 +84,7 @@ class CardSteps : public CardRows {
     bool reads_body = false;
     bool changes_body = false;
     bool looks_around = false;  ///< Supervisor::LooksAround()
+    Outputs outputs = {};
   };
   /// What a command accesses of the body, beside the clock.
   struct BodyAccess {
@@ -97,6 +115,9 @@ class CardSteps : public CardRows {
 
   const Statement& StatementOf(const Row& row, size_t place);
   void AddToKey(const Row& row, const Instruction& instruction, const BodyAccess* access);
+  void PlanOutputs(const vm::Instruction& instruction, Instruction* plan) const;
+  bool WritesOutputs(const Row& row, size_t place, const Instruction& instruction,
+                     const Thread& after);
   const BodyAccess& AccessOf(const Row& row, size_t place, const Instruction& instruction);
   BodyAccess NextBodyAccess(int number) const;
   Statement Execute(const Row& row, size_t place, const Instruction& instruction,
@@ -107,6 +128,7 @@ class CardSteps : public CardRows {
   CardModel& model_;
   runtime::Controller& card_;
   bool exact_ = true;
+  bool watches_outputs_ = false;
   std::vector<std::vector<Instruction>> instructions_;  ///< by function and position
   std::vector<Names> names_;                            ///< of the requirements
   Names reaction_names_;                                ///< of all reactions
