@@ -28,6 +28,7 @@ struct SearchWish {
   std::optional<int64_t> preemptions;
   std::optional<bool> merge_private;
   std::optional<bool> islands;
+  std::optional<bool> reductions;
   bool all = false;
   std::vector<std::string> silent;  ///< names of warnings about the card
 };

@@ -85,6 +85,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   if (arguments.merge_private) options.merge_private = true;
   if (arguments.no_merge_private) options.merge_private = false;
   options.islands = !arguments.no_islands;
+  options.reductions = !arguments.no_reductions;
   options.all = arguments.all;
   return options;
 }
@@ -106,7 +107,8 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
       {"--preemptions", arguments.preemptions.has_value()},
       {"--merge-private", arguments.merge_private},
       {"--no-merge-private", arguments.no_merge_private},
-      {"--no-islands", arguments.no_islands}};
+      {"--no-islands", arguments.no_islands},
+      {"--no-reductions", arguments.no_reductions}};
   const std::string_view name = explore::EngineName(engine);
   for (const runtime::SearchSetting& setting : runtime::SearchSettings()) {
     const bool is_given =

@@ -57,6 +57,11 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                       "some share nothing with the others",
                       "带控制卡时：即使有线程互不相关，也一起搜索所有线程的状态"}));
   command.add_flag(
+      "--no-reductions", arguments.no_reductions,
+      invocation.Say({"with a card: search every order of the statements of a cycle, even if "
+                      "nobody notices which came first",
+                      "带控制卡时：搜索每个周期内语句的所有次序，即使次序对任何线程都没有影响"}));
+  command.add_flag(
       "--full", arguments.full,
       invocation.Say({"show every statement of a failing run and every pass of its loops",
                       "列出出错运行的每条语句，循环逐次列出"}));

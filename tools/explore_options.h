@@ -28,6 +28,7 @@ struct ExploreArguments {
   bool merge_private = false;
   bool no_merge_private = false;
   bool no_islands = false;
+  bool no_reductions = false;
   bool races = false;
   bool benign = false;
   std::string search;  ///< the file in which the search is kept

@@ -283,6 +283,10 @@ ClaimEntry Bounds(const Findings& findings) {
     add(MakeMessage("every schedule, by islands: threads {0}, each with any timing of the others",
                     "所有调度，按互不相关的线程组证明：线程 {0}，其余线程的时序任意", threads));
   }
+  if (exploration.reduced && IsGood(exploration.verdict)) {
+    add({"every schedule; orders of statements in a cycle that nobody notices were searched once",
+         "所有调度；周期内不影响任何线程和要求的语句次序只搜索一次"});
+  }
   if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
     add({"none: every schedule was searched", "无：已搜索所有调度"});
   }

@@ -42,6 +42,12 @@ Message CountsOf(const IslandCounts& islands) {
                      islands.states, islands.transitions);
 }
 
+Message CountsOf(const ReducedCounts& reduced) {
+  return MakeMessage("reduced: {0} states, {1} transitions, {2} states at the start of a cycle",
+                     "约简后：{0} 个状态，{1} 次转移，周期开始处 {2} 个状态", reduced.states,
+                     reduced.transitions, reduced.starts);
+}
+
 Message CountsOf(const BoundedCounts& bounded) {
   return MakeMessage(
       "bounded: {0} states, {1} different ends, schedules with at most {2} preemptions{3}",
@@ -66,6 +72,7 @@ std::string CountsText(const Findings& findings, Language language) {
   if (exploration.samples) add(CountsOf(*exploration.samples, exploration.engine));
   if (exploration.states) add(CountsOf(*exploration.states));
   if (exploration.islands) add(CountsOf(*exploration.islands));
+  if (exploration.reduced) add(CountsOf(*exploration.reduced));
   for (const FoundRace& found : exploration.races) {
     const Message race = DescribeRace(findings.subject, found.race);
     const Message benign = {" (benign)", "（无害）"};
@@ -185,6 +192,11 @@ std::string JsonReport(const Findings& findings) {
     json["islands"] = islands->threads;
     json["island_states"] = islands->states;
     json["island_transitions"] = islands->transitions;
+  }
+  if (const auto& reduced = exploration.reduced) {
+    json["reduced_states"] = reduced->states;
+    json["reduced_transitions"] = reduced->transitions;
+    json["reduced_starts"] = reduced->starts;
   }
   for (const FoundRace& found : exploration.races) {
     json["races"].push_back(RaceJson(findings.subject, found.race));

@@ -53,6 +53,12 @@ void Add(const IslandCounts& next, IslandCounts* all) {
   all->transitions += next.transitions;
 }
 
+void Add(const ReducedCounts& next, ReducedCounts* all) {
+  all->states += next.states;
+  all->transitions += next.transitions;
+  all->starts += next.starts;
+}
+
 void Add(const BoundedCounts& next, BoundedCounts* all) {
   all->preemptions = std::min(all->preemptions, next.preemptions);
   all->states += next.states;
@@ -121,6 +127,7 @@ int64_t StatesUsed(const Exploration& exploration) {
   int64_t states = 0;
   if (exploration.states) states += exploration.states->states;
   if (exploration.islands) states += exploration.islands->states;
+  if (exploration.reduced) states += exploration.reduced->states;
   if (exploration.bounded) states += exploration.bounded->states;
   return states;
 }
@@ -129,6 +136,7 @@ void AddCase(Exploration next, Exploration* all) {
   AddSome(next.traces, &all->traces);
   AddSome(next.states, &all->states);
   AddSome(next.islands, &all->islands);
+  AddSome(next.reduced, &all->reduced);
   AddSome(next.bounded, &all->bounded);
   AddSome(next.samples, &all->samples);
   AddRaces(next.races, &all->races);

@@ -460,9 +460,9 @@ void TryAtRandom(CardModel* model, const ExploreOptions& options, Exploration* e
   exploration->why = {exploration->why.en + more.en, exploration->why.zh + more.zh};
 }
 
-/// Below so many states `auto` reports those of the card even if its islands are a proof: the
-/// counts of small programs are exact, and so are their ends.
-constexpr uint32_t kStatesBesideIslands = 5000;
+/// Below so many states `auto` reports those of the card even if there is a proof by fewer: the
+/// counts of small programs are exact, and so are their ends. Cases share them.
+constexpr int64_t kStatesBesideProof = 5000;
 
 std::optional<IslandProof> SearchIslands(const CardModel& model, const ExploreOptions& options,
                                          const StateLimits& limits) {
@@ -471,6 +471,14 @@ std::optional<IslandProof> SearchIslands(const CardModel& model, const ExploreOp
   if (model.asks_nothing()) return std::nullopt;
   auto islands = Islands::Of(model);
   return islands ? ProveByIslands(model, *std::move(islands), limits) : std::nullopt;
+}
+
+std::optional<ReducedSearch> SearchWithReductions(CardModel* model, const ExploreOptions& options,
+                                                  const StateLimits& limits) {
+  if (options.engine != EngineKind::kAuto || !options.reductions || options.all) {
+    return std::nullopt;
+  }
+  return SearchReduced(model, limits);
 }
 
 Reached ReachedAt(CardModel* model, const CardModel::State& state) {
@@ -586,12 +594,16 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   StateLimits limits = StatesOf(options, StopOf(options));
   limits.states_after_bad = AftermathOf(options).card_states;
   std::optional<IslandProof> proof;
+  std::optional<ReducedSearch> reduced;
+  if (!look.found()) proof = SearchIslands(*model, options, limits);
+  if (!look.found() && !proof) reduced = SearchWithReductions(model, options, limits);
+  if (reduced && reduced->fails) look.failing = reduced->failing;
   if (look.found()) {
     limits.states = std::min(limits.states, limits.states_after_bad);
-  } else {
-    proof = SearchIslands(*model, options, limits);
+  } else if (proof || reduced) {
+    const auto beside = static_cast<uint32_t>(kStatesBesideProof / options.cases);
+    limits.states = std::min(limits.states, beside);
   }
-  if (proof) limits.states = std::min(limits.states, kStatesBesideIslands);
   const CardGraph found = BuildCardGraph(model, limits);
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
@@ -599,6 +611,8 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
     proof->IncludeIn(model);
     exploration.islands = std::move(proof->counts);
   }
+  const bool left_out = reduced && !reduced->fails && !found.graph.complete;
+  if (left_out) exploration.reduced = reduced->counts;
   exploration.states = StateCounts{.states = found.graph.size(),
                                    .transitions = found.graph.transitions,
                                    .bad_states = found.bad_states,
@@ -606,7 +620,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
                                    .final_full = found.final_full,
                                    .finals_within = {},
                                    .complete = found.graph.complete};
-  exploration.ends = found.ends.ends();
+  exploration.ends = left_out ? reduced->ends.ends() : found.ends.ends();
   if (found.bad_states > 0) exploration.failure = WayTo(found.graph, kBad);
   if (exploration.failure && found.graph.complete) {
     CardWalk walk(model, false);
@@ -623,9 +637,10 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   }
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
-  } else if (!found.graph.complete && !exploration.islands) {
+  } else if (!found.graph.complete && !exploration.islands && !(left_out && reduced->complete)) {
     exploration.why = WhyIncomplete(options, DescribeStateLimit(options));
-    if (found.open) exploration.reached = ReachedAt(model, *found.open);
+    const std::optional<CardModel::State>& open = left_out ? reduced->open : found.open;
+    if (open) exploration.reached = ReachedAt(model, *open);
     const bool last_way = options.engine == EngineKind::kAuto && !IsTold(StopOf(options));
     if (last_way) TryAtRandom(model, options, &exploration);
   } else if (model->horizon()) {

@@ -23,6 +23,7 @@
 #include "explore/engines/failure.h"
 #include "explore/engines/island_search.h"
 #include "explore/engines/progress.h"
+#include "explore/engines/reduced_search.h"
 #include "explore/engines/sampler.h"
 #include "explore/engines/state_search.h"
 #include "explore/engines/trace_search.h"
@@ -85,6 +86,9 @@ struct ExploreOptions {
   /// kAuto, with a card: threads that share nothing are searched by themselves
   /// (explore/models/islands.h).
   bool islands = true;
+  /// kAuto, with a card: states that differ only in the order of what nobody notices are searched
+  /// once (explore/engines/reduced_search.h).
+  bool reductions = true;
   /// Continues the search to its end after the first failure, so that all are counted. Otherwise it
   /// continues for a limited time, which is enough for complete counts of a small program.
   bool all = false;
@@ -131,6 +135,8 @@ struct Exploration {
   TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete
   std::optional<StateCounts> states;
   std::optional<IslandCounts> islands;  ///< kAuto, with a card: they have been the proof
+  /// kAuto, with a card: states were left out. They are the proof, unless StateCounts are complete.
+  std::optional<ReducedCounts> reduced;
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
   std::vector<FoundRace>

@@ -93,6 +93,15 @@ void PutIslands(const IslandCounts& islands, SearchWriter* writer) {
   writer->Close('}');
 }
 
+void PutReduced(const ReducedCounts& reduced, SearchWriter* writer) {
+  writer->Next("reduced");
+  writer->Open('{');
+  writer->Put("states", reduced.states);
+  writer->Put("transitions", reduced.transitions);
+  writer->Put("starts", reduced.starts);
+  writer->Close('}');
+}
+
 void PutBounded(const BoundedCounts& bounded, SearchWriter* writer) {
   writer->Next("bounded");
   writer->Open('{');
@@ -116,6 +125,7 @@ void PutFound(const Exploration& found, SearchWriter* writer) {
   if (found.traces) PutTraceCounts(*found.traces, writer);
   if (found.states) PutStateCounts(*found.states, writer);
   if (found.islands) PutIslands(*found.islands, writer);
+  if (found.reduced) PutReduced(*found.reduced, writer);
   if (found.bounded) PutBounded(*found.bounded, writer);
   EndSet ends;
   for (const End& end : found.ends) ends.Add(end);
@@ -210,6 +220,10 @@ Exploration FoundFrom(SearchReader& reader, const SearchValue& value) {
              to->states = count(from, "states");
              to->transitions = count(from, "transitions");
            });
+  SomeFrom(reader, value, "reduced", &found.reduced,
+           [&](const SearchValue& from, ReducedCounts* to) {
+             *to = {count(from, "states"), count(from, "transitions"), count(from, "starts")};
+           });
   SomeFrom(
       reader, value, "bounded", &found.bounded, [&](const SearchValue& from, BoundedCounts* to) {
         to->preemptions =
@@ -277,6 +291,7 @@ void PutUnits(const UnitSearch& units, SearchWriter* writer) {
   writer->Put("groups", units.groups);
   writer->PutFlag("all", units.all);
   writer->PutFlag("islands", units.islands);
+  writer->PutFlag("reductions", units.reductions);
   if (units.merge_private) writer->PutFlag("merge_private", *units.merge_private);
   writer->Put("preemptions", units.preemptions);
   writer->PutList("left", units.left);
@@ -329,6 +344,7 @@ UnitSearch UnitsFrom(SearchReader& reader, const SearchValue& value, const std::
   units.groups = reader.Whole<int>(reader.Member(value, "groups"), 1, UnitSearch::kGroupsMax);
   units.all = reader.Flag(reader.Member(value, "all"));
   units.islands = reader.Flag(reader.Member(value, "islands"));
+  units.reductions = reader.Flag(reader.Member(value, "reductions"));
   const SearchValue merge = reader.Member(value, "merge_private");
   if (!merge.json().is_null()) units.merge_private = reader.Flag(merge);
   units.preemptions =

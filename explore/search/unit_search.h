@@ -40,6 +40,7 @@ struct UnitSearch {
   // Options of the search.
   bool all = false;  ///< it goes on after a failure
   bool islands = true;
+  bool reductions = true;
   std::optional<bool> merge_private;
   int preemptions = BoundedOptions{}.preemptions;
   // What the others have shown:
@@ -48,7 +49,9 @@ struct UnitSearch {
 
   int64_t units() const { return cases * groups; }
   /// What must be the same in all parts of a search.
-  auto Kind() const { return std::tuple(cases, groups, all, islands, merge_private, preemptions); }
+  auto Kind() const {
+    return std::tuple(cases, groups, all, islands, reductions, merge_private, preemptions);
+  }
 };
 
 /// How many groups the schedules of each case are divided into, for a search in so many parts: one

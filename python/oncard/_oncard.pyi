@@ -52,6 +52,7 @@ def explore(
     numbers: dict[str, int | None],
     merge_private: bool | None,
     islands: bool | None,
+    reductions: bool | None,
     all: bool,
     silent: list[str],
     seconds: float,

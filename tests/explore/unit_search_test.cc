@@ -33,6 +33,7 @@ SearchFile FileOfUnits() {
   units.groups = 2;
   units.all = true;
   units.islands = false;
+  units.reductions = false;
   units.merge_private = false;
   units.preemptions = 5;
   units.left = {2, 6};
@@ -45,6 +46,7 @@ SearchFile FileOfUnits() {
   found.traces = TraceCounts{1, 2, 3, 4, 5, 6, true, true};
   found.states = StateCounts{7, 8, 9, 10, 11, true, true, {12, 13}, true};
   found.islands = IslandCounts{{{0, 2}, {1}}, 14, 15};
+  found.reduced = ReducedCounts{18, 19, 20};
   found.bounded.emplace();
   found.bounded->preemptions = 2;
   found.bounded->states = 16;
@@ -75,6 +77,8 @@ TEST(UnitSearch, TheTextHoldsEverything) {
   EXPECT_EQ(units.found->states->finals_within, (std::vector<int64_t>{12, 13}));
   EXPECT_TRUE(units.found->states->in_groups);
   EXPECT_EQ(units.found->islands->threads, file.units->found->islands->threads);
+  EXPECT_EQ(units.found->reduced->starts, 20);
+  EXPECT_FALSE(units.reductions);
   EXPECT_EQ(units.found->bounded->different_ends, 17);
   EXPECT_EQ(units.found->ends, file.units->found->ends);
   EXPECT_EQ(read.value().remarks.refused.front().place.line, 12);

@@ -271,7 +271,7 @@ TEST_F(ExploreAnyInstant, AFaultOfOnePartIsOneOfTheWhole) {
 }
 
 TEST_F(ExploreAnyInstant, GoesOnFromItsFile) {
-  const auto begun = Json({"act_check.toml", "--max-states=40000", "--search=kept.search"});
+  const auto begun = Json({"act_check.toml", "--max-states=10000", "--search=kept.search"});
   EXPECT_EQ(begun["verdict"], "INCOMPLETE");
   EXPECT_GT(begun["cases_searched"], 0);
   EXPECT_LT(begun["cases_searched"], 121);

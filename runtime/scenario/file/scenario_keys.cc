@@ -28,6 +28,7 @@ constexpr SearchSetting kSettings[] = {
     {"", "--merge-private", kOfGraphs},
     {"", "--no-merge-private", kOfGraphs},
     {"", "--no-islands", kOfAuto},
+    {"", "--no-reductions", kOfAuto},
 };
 
 }  // namespace
