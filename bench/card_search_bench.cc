@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/files.h"
 #include "bench/measure.h"
@@ -56,21 +57,30 @@ runtime::Scenario Axes(size_t count) {
   return scenario;
 }
 
-CardSearch SearchOf(const runtime::Scenario& scenario, const std::string& engine) {
+/// The states of the proof: those that were left over, or of islands, or all.
+double StatesOf(std::string_view report) {
+  for (const std::string_view key : {"reduced_states", "island_states"}) {
+    const std::string states(ValueOf(key, report));
+    if (!states.empty()) return std::strtod(states.c_str(), nullptr);
+  }
+  return std::strtod(std::string(ValueOf("states", report)).c_str(), nullptr);
+}
+
+CardSearch SearchOf(const runtime::Scenario& scenario, const std::vector<std::string>& options) {
   const std::string folder = NewFolder();
   const std::string file = folder + "/search.toml";
   if (!WriteFileAtomically(file, runtime::FormatScenario(runtime::MoveScenario(scenario, file)))
            .ok()) {
     Fail("cannot write a scenario");
   }
-  const ToolRun run =
-      MeasureTool({"explore", file, "--engine=" + engine, fmt::format("--time={}", kSeconds),
-                   fmt::format("--memory={}", kMemoryMib), "--format=json"});
+  std::vector<std::string> arguments = {"explore", file, fmt::format("--time={}", kSeconds),
+                                        fmt::format("--memory={}", kMemoryMib), "--format=json"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ToolRun run = MeasureTool(arguments);
   std::filesystem::remove_all(folder);
   const std::string_view verdict = ValueOf("verdict", run.out);
   if (verdict.size() < 2) Fail("a search gave no verdict");
-  return {std::string(verdict.substr(1, verdict.size() - 2)),
-          std::strtod(std::string(ValueOf("states", run.out)).c_str(), nullptr), run.seconds,
+  return {std::string(verdict.substr(1, verdict.size() - 2)), StatesOf(run.out), run.seconds,
           run.peak_bytes};
 }
 
@@ -81,33 +91,33 @@ void PrintFound(const CardSearch& search) {
   std::fflush(stdout);
 }
 
-void MeasureSearch(const char* name, const runtime::Scenario& scenario, const std::string& engine) {
-  const CardSearch search = SearchOf(scenario, engine);
+void MeasureSearch(const char* name, const runtime::Scenario& scenario) {
+  const CardSearch search = SearchOf(scenario, {});
   std::printf("%s: %.2f s", name, search.seconds);
   PrintFound(search);
 }
 
 /// The memory of a state is what the command occupies beyond its need for a search of few states.
 void MeasureBytes() {
-  const CardSearch few = SearchOf(Axes(1), "stateful");
-  const CardSearch many = SearchOf(Axes(4), "stateful");
+  const CardSearch few = SearchOf(Axes(1), {"--engine=stateful"});
+  const CardSearch many = SearchOf(Axes(4), {"--engine=stateful"});
   std::printf("card 4 axes: %.2f s, %.0f bytes/state of the peak of memory", many.seconds,
               std::max(0.0, many.peak_bytes - few.peak_bytes) / std::max(1.0, many.states));
   PrintFound(many);
 }
 
 /// How many independent axes can be proved within the limits.
-void MeasureAxes(const std::string& engine) {
+void MeasureAxes(const char* how, const std::vector<std::string>& options) {
   size_t proved = 0;
   CardSearch last;
   CardSearch next;
   while (proved < kAxesMax) {
-    next = SearchOf(Axes(proved + 1), engine);
+    next = SearchOf(Axes(proved + 1), options);
     if (next.verdict != "PROVED") break;
     last = next;
     ++proved;
   }
-  std::printf("axes proved in %d s, %s: %zu, the last in %.2f s", kSeconds, engine.c_str(), proved,
+  std::printf("axes proved in %d s, %s: %zu, the last in %.2f s", kSeconds, how, proved,
               last.seconds);
   PrintFound(last);
 }
@@ -116,13 +126,14 @@ void MeasureAxes(const std::string& engine) {
 
 void BenchCardSearches() {
   MeasureBytes();
-  MeasureAxes("stateful");
-  MeasureAxes("auto");
+  MeasureAxes("all states", {"--engine=stateful"});
+  MeasureAxes("with reductions", {"--no-islands"});
+  MeasureAxes("by islands", {});
   runtime::Scenario stop = LoadSearch("estop");
-  MeasureSearch("e-stop any instant 10..40 ms, 4 threads, 2 axes", stop, "auto");
+  MeasureSearch("e-stop any instant 10..40 ms, 4 threads, 2 axes", stop);
   stop.rate = 400;
-  MeasureSearch("the same at rate 400", stop, "auto");
-  MeasureSearch("polling pick-and-place 290 ms", LoadSearch("pick"), "auto");
+  MeasureSearch("the same at rate 400", stop);
+  MeasureSearch("polling pick-and-place 290 ms", LoadSearch("pick"));
 }
 
 }  // namespace oncard::bench
