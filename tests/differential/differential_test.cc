@@ -10,6 +10,7 @@
 #include "machine_run.h"
 #include "oracle.h"
 #include "random_program.h"
+#include "tests/base/random_cases.h"
 
 namespace oncard::differential {
 namespace {
@@ -56,7 +57,7 @@ TEST_P(DifferentialTest, ProgramsComputeWhatGccComputes) {
   const auto oracle = RunOracle(programs, {}, Folder(fmt::format("batch_{}", GetParam())));
   ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;
   ASSERT_EQ(oracle.value().size(), programs.size());
-  for (size_t i = 0; i < programs.size(); ++i) {
+  for (size_t i = 0; i < RandomPart(programs.size()); ++i) {
     const RandomProgram& program = programs[i];
     const auto image = CompileAndLink(program);
     ASSERT_TRUE(image.ok()) << image.error().message.en << '\n' << Listing(program);
@@ -107,7 +108,7 @@ TEST(InterleavingTest, ThreadsInterleaveStatementByStatement) {
   const auto oracle = RunOracle(programs, interleavings, Folder("interleaved"));
   ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;
   ASSERT_EQ(oracle.value().size(), programs.size());
-  for (size_t i = 0; i < programs.size(); ++i) {
+  for (size_t i = 0; i < RandomPart(programs.size()); ++i) {
     const RandomProgram& program = programs[i];
     const auto image = CompileAndLink(program);
     ASSERT_TRUE(image.ok()) << image.error().message.en << '\n' << Listing(program);

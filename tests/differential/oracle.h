@@ -1,5 +1,7 @@
 // Executes random programs with g++, the oracle: writes the programs into one C++ file after
 // oracle_prelude.h, compiles and runs it, and returns the final value of every variable.
+// Tests that try a part of their programs (RandomPart) ask for all: the answer for a text is kept
+// in build/oracle for every build.
 #pragma once
 
 #include <cstdint>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/common/state_hash.h"
+#include "tests/base/random_cases.h"
 #include "tests/motion/crd_run.h"
 #include "tests/motion/planned_path.h"
 
@@ -727,7 +728,8 @@ class RandomList {
 };
 
 TEST(SegmentList, KeepsItsLimitsAndItsEndInAnyRun) {
-  for (uint32_t seed = 0; seed < 100'000; ++seed) {
+  const uint32_t lists = RandomCases(100'000u);
+  for (uint32_t seed = 0; seed < lists; ++seed) {
     SCOPED_TRACE(seed);
     RandomList(seed).Run();
     if (HasFailure()) return;

@@ -9,6 +9,7 @@
 #include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
 #include "motion/paths/segment.h"
+#include "tests/base/random_cases.h"
 #include "tests/motion/change_state.h"
 #include "tests/motion/planned_path.h"
 
@@ -423,7 +424,8 @@ class RandomMappedList {
 };
 
 TEST(AxisJumps, KeepAllLimitsInAnyRun) {
-  for (uint32_t seed = 0; seed < 10'000; ++seed) {
+  const uint32_t lists = RandomCases(10'000u);
+  for (uint32_t seed = 0; seed < lists; ++seed) {
     SCOPED_TRACE(seed);
     RandomMappedList(seed).Run();
     if (testing::Test::HasFailure()) return;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "motion/motion_core.h"
+#include "tests/base/random_cases.h"
 #include "tests/motion/change_state.h"
 #include "tests/motion/cycle_counter.h"
 #include "tests/motion/random_bus.h"
@@ -27,7 +28,7 @@ struct World {
 };
 
 void AdvanceAsTicksDo(const World& kind, int worlds, int cycles) {
-  worlds = Setting("ONCARD_WORLDS", worlds);
+  worlds = Setting("ONCARD_WORLDS", RandomCases(worlds));
   cycles = Setting("ONCARD_WORLD_CYCLES", cycles);
   const int first = Setting("ONCARD_WORLD_FIRST", 1);
   const std::span<const NamedLaneKernel> kernels = LaneKernels();

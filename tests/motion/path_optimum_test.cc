@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/base/random_cases.h"
 #include "tests/motion/planned_path.h"
 
 namespace oncard::motion {
@@ -47,14 +48,14 @@ PlannedPath RandomPolyline(uint32_t seed, int count, double turn_max) {
 }
 
 TEST(PathOptimum, RandomPolylinesWithCornersAndCurves) {
-  for (uint32_t seed = 1; seed <= 12; ++seed) {
+  for (uint32_t seed = 1; seed <= RandomCases(12u); ++seed) {
     SCOPED_TRACE(seed);
     ExpectOptimal(RandomPolyline(seed, 40, seed % 2 == 0 ? 0.4 : 2.5), 0.001);
   }
 }
 
 TEST(PathOptimum, RandomPolylinesWithLimitsOfTheAxes) {
-  for (uint32_t seed = 20; seed <= 25; ++seed) {
+  for (uint32_t seed = 20; seed < 20 + RandomCases(6u); ++seed) {
     SCOPED_TRACE(seed);
     PlannedPath path = RandomPolyline(seed, 40, 1.2);
     path.limits.geometric = seed % 2 == 0;
@@ -80,7 +81,7 @@ TEST(PathOptimum, ArcsWhoseAxesHoldThemBack) {
 }
 
 TEST(PathOptimum, RandomPathsOfLinesAndArcs) {
-  for (uint32_t seed = 40; seed <= 47; ++seed) {
+  for (uint32_t seed = 40; seed < 40 + RandomCases(8u); ++seed) {
     SCOPED_TRACE(seed);
     RandomNumbers random(seed);
     PlannedPath path;
@@ -111,7 +112,7 @@ TEST(PathOptimum, RandomPathsOfLinesAndArcs) {
 
 // A rotary axis turns while the others move: it counts in the length, or it does not.
 TEST(PathOptimum, MixedRotaryMoves) {
-  for (uint32_t seed = 60; seed <= 64; ++seed) {
+  for (uint32_t seed = 60; seed < 60 + RandomCases(5u); ++seed) {
     SCOPED_TRACE(seed);
     RandomNumbers random(seed);
     PlannedPath path;

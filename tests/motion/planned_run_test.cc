@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "tests/base/random_cases.h"
 #include "tests/motion/change_state.h"
 #include "tests/motion/crd_run.h"
 #include "tests/motion/planned_path.h"
@@ -208,7 +209,7 @@ PlannedPath RandomPath(uint32_t seed, bool geometric, bool axes) {
 }
 
 TEST(PlannedRun, KeepsTheLimitsInEveryCycle) {
-  for (uint32_t seed = 1; seed <= 12; ++seed) {
+  for (uint32_t seed = 1; seed <= RandomCases(12u); ++seed) {
     SCOPED_TRACE(seed);
     PlannedRun run(RandomPath(seed, seed % 2 == 0, seed % 3 != 0), seed % 4 == 0 ? 3 : 12);
     run.Run();
@@ -241,7 +242,7 @@ PlannedPath RandomCarving(uint32_t seed) {
 }
 
 TEST(PlannedRun, KeepsTheLimitsOfCurvesMadeOfLines) {
-  for (uint32_t seed = 1; seed <= 6; ++seed) {
+  for (uint32_t seed = 1; seed <= RandomCases(6u); ++seed) {
     SCOPED_TRACE(seed);
     PlannedRun run(RandomCarving(seed), seed % 2 == 0 ? 5 : 200);
     run.card.crd().second_override = 0.4;
@@ -270,7 +271,7 @@ TEST(PlannedRun, SlowsDownBeforeSegmentsWithALowerOverride) {
 }
 
 TEST(PlannedRun, KeepsTheLimitsOfFollowers) {
-  for (uint32_t seed = 1; seed <= 8; ++seed) {
+  for (uint32_t seed = 1; seed <= RandomCases(8u); ++seed) {
     SCOPED_TRACE(seed);
     RandomNumbers random(seed + 100);
     PlannedPath path = RandomPath(seed, seed % 2 == 0, seed % 3 == 0);
@@ -311,7 +312,7 @@ TEST(PlannedRun, StaysOnHelicesAndInEveryPlane) {
 }
 
 TEST(PlannedRun, TakesTheTimeOfTheVirtualRunWithinACycle) {
-  for (uint32_t seed = 20; seed <= 30; ++seed) {
+  for (uint32_t seed = 20; seed < 20 + RandomCases(11u); ++seed) {
     SCOPED_TRACE(seed);
     const PlannedPath path = RandomPath(seed, seed % 2 == 0, seed % 3 != 0);
     PlannedRun estimate(path, 5, true);

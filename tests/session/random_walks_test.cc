@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "runtime/scenario/run/requirement_watch.h"
+#include "tests/base/random_cases.h"
 #include "tests/session/session_support.h"
 
 namespace oncard::session {
@@ -215,7 +216,7 @@ class RandomWalk {
 
 TEST(RandomWalks, EndWhereStraightExecutionDoes) {
   const char* wanted = std::getenv("ONCARD_WALKS");
-  const int walks = wanted == nullptr ? 200 : std::atoi(wanted);
+  const int walks = wanted == nullptr ? RandomCases(200) : std::atoi(wanted);
   for (const Walked& walked : Programs()) {
     for (int seed = 0; seed < walks; ++seed) {
       RandomWalk walk(walked, static_cast<uint64_t>(seed));

@@ -2,6 +2,7 @@
 // that of plain interleaving, however it is optimised, and a recording must have the same order.
 #include <gtest/gtest.h>
 
+#include "tests/base/random_cases.h"
 #include "tests/vm/program_builder.h"
 #include "tests/vm/random_program.h"
 #include "tests/vm/reference_machine.h"
@@ -117,7 +118,7 @@ class RandomPrograms : public testing::TestWithParam<int64_t> {};
 
 TEST_P(RandomPrograms, EndInTheReferenceStateAfterEveryPiece) {
   const int64_t quantum = GetParam();
-  const uint64_t programs = quantum == 1 ? 3000 : 500;
+  const auto programs = RandomCases(uint64_t{quantum == 1 ? 3000u : 500u});
   for (uint64_t number = 1; number <= programs; ++number) {
     const uint64_t seed = number * 1000 + static_cast<uint64_t>(quantum);
     const Recorded recorded = number % 2 == 0 ? Recorded::kYes : Recorded::kNo;
