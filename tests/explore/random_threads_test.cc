@@ -12,6 +12,7 @@
 #include "explore/engines/state_graph.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
+#include "tests/base/random_cases.h"
 
 namespace oncard::explore {
 namespace {
@@ -218,9 +219,9 @@ int64_t ExecutionsOfUnits(const Problem& problem, size_t count) {
 class RandomThreadsTest : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
-  constexpr int kPerBatch = 50;
-  for (int i = 0; i < kPerBatch; ++i) {
-    const auto seed = static_cast<uint64_t>(GetParam() * kPerBatch + i);
+  const int per_batch = RandomCases(50);
+  for (int i = 0; i < per_batch; ++i) {
+    const auto seed = static_cast<uint64_t>(GetParam() * per_batch + i);
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Problem problem = ProblemOf(RandomThreads(seed));
     const BruteForce all(problem.model);

@@ -14,6 +14,7 @@
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
 #include "runtime/scenario/run/scenario_run.h"
+#include "tests/base/random_cases.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::explore {
@@ -197,9 +198,11 @@ bool GivesNone(const Problem& problem, const Failure& failure) {
 TEST(ResponseSearch, LeadsIsWhatTheDefinitionSays) {
   int violated = 0;
   int endless = 0;
-  for (uint64_t seed = 0; seed < 3000; ++seed) {
+  const int programs = RandomCases(3000);
+  for (int seed = 0; seed < programs; ++seed) {
     const bool loops = seed % 2 != 0;
-    const std::string source = "//@ leads: a == 1 -> b == 1\n" + RandomAnswers(seed, loops, false);
+    const std::string source =
+        "//@ leads: a == 1 -> b == 1\n" + RandomAnswers(static_cast<uint64_t>(seed), loops, false);
     const Problem problem = ProblemOf(source);
     const AllStates all(problem);
     const Exploration found =
@@ -227,8 +230,8 @@ TEST(ResponseSearch, LeadsIsWhatTheDefinitionSays) {
       ASSERT_EQ(bounded.failure->preemptions, found.failure->preemptions) << source;
     }
   }
-  EXPECT_GT(violated, 500);
-  EXPECT_GT(endless, 20);
+  EXPECT_GT(violated, programs / 6);
+  EXPECT_GT(endless, programs / 150);
 }
 
 // The search of traces skips the states in between, though it could execute this program at once.
@@ -439,12 +442,14 @@ TEST(ResponseSearch, ResponsesInTimeAreWhatTheDefinitionSays) {
   int programs = 0;
   std::map<bool, int> late;
   std::map<bool, int> unanswered;
-  for (uint64_t seed = 0; seed < 400; ++seed) {
-    const std::string source = RandomAnswers(seed, false, true);
+  const int seeds = RandomCases(400);
+  for (int seed = 0; seed < seeds; ++seed) {
+    const std::string source = RandomAnswers(static_cast<uint64_t>(seed), false, true);
     CardProgram program = CardProgramOf(source, keys, kSchedules);
     if (program.schedules.size() > kSchedules) continue;
     ++programs;
-    const int64_t us = std::vector<int64_t>{0, 200, 250, 499, 500, 1000, 1250}[seed % 7];
+    const int64_t us =
+        std::vector<int64_t>{0, 200, 250, 499, 500, 1000, 1250}[static_cast<size_t>(seed % 7)];
     bool is_late = false;
     bool is_unanswered = false;
     for (const std::vector<uint8_t>& steps : program.schedules) {
@@ -467,10 +472,10 @@ TEST(ResponseSearch, ResponsesInTimeAreWhatTheDefinitionSays) {
       ASSERT_EQ(verdict_of(leads, engine) == Verdict::kFailed, is_unanswered) << source;
     }
   }
-  EXPECT_GT(programs, 200);
+  EXPECT_GT(programs, seeds / 2);
   for (const bool fails : {false, true}) {
-    EXPECT_GT(late[fails], 30) << fails;
-    EXPECT_GT(unanswered[fails], 30) << fails;
+    EXPECT_GT(late[fails], seeds * 3 / 40) << fails;
+    EXPECT_GT(unanswered[fails], seeds * 3 / 40) << fails;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "explore/engines/trace_count.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
+#include "tests/base/random_cases.h"
 
 namespace oncard::explore {
 namespace {
@@ -118,9 +119,9 @@ bool Fails(const Problem& problem, const ExploreOptions& options) {
 
 TEST(StatementChecksTest, AllEnginesAgreeWithAPlainSearch) {
   int bad = 0;
-  constexpr int kPrograms = 2400;
-  for (uint64_t seed = 0; seed < kPrograms; ++seed) {
-    const std::string source = CheckedThreads(seed);
+  const int programs = RandomCases(2400);
+  for (int seed = 0; seed < programs; ++seed) {
+    const std::string source = CheckedThreads(static_cast<uint64_t>(seed));
     SCOPED_TRACE(fmt::format("seed {}\n{}", seed, source));
     const Problem problem = ProblemOf(source);
     const bool expected = PlainSearchOfChecks(source, problem.model.image().object).bad();
@@ -149,8 +150,8 @@ TEST(StatementChecksTest, AllEnginesAgreeWithAPlainSearch) {
     if (HasFailure()) return;
   }
   // Neither verdict is rare.
-  EXPECT_GT(bad, kPrograms / 8);
-  EXPECT_LT(bad, kPrograms * 7 / 8);
+  EXPECT_GT(bad, programs / 8);
+  EXPECT_LT(bad, programs * 7 / 8);
 }
 
 constexpr const char* kLateReader =
