@@ -35,7 +35,7 @@ constexpr int64_t kTurnsMax = 100'000;
 constexpr int64_t kTurnsDefault = 1000;
 
 const std::vector<std::string_view> kGoals = {"step", "statement", "line",   "cycle", "time",
-                                              "stop", "rest",      "change", "call"};
+                                              "stop", "rest",      "change", "call",  "end"};
 
 Error NoSession() {
   return MakeError(1, "no program is loaded: 'load' one first", "尚未加载程序：请先使用“load”");
@@ -62,6 +62,9 @@ Walk ReadWalk(Arguments* arguments) {
     walk.thread = static_cast<int>(arguments->Whole("thread", 0, vm::kThreadCount - 1));
   }
   if (walk.goal == Goal::kTime) walk.time_us = FromMs(arguments->Number("ms", 0, kMsMax));
+  if (walk.goal == Goal::kEnd) {
+    walk.time_us = FromMs(arguments->Has("ms") ? arguments->Number("ms", 0, kMsMax) : kMsMax);
+  }
   if (walk.goal == Goal::kChange) walk.name = arguments->Text("name");
   walk.budget = arguments->Whole("budget", 1, kStepsMax, walk.budget);
   return walk;

@@ -103,6 +103,8 @@ class RewindableRun {
   int NextThread() const;
   /// Set if a run of the scenario is over at this moment. The card can go on.
   std::optional<runtime::RunOver> Over() const;
+  /// The cycle with whose end it was first over; -1: it has not been.
+  int64_t over_cycle() const { return place_.over_cycle; }
   /// True if a schedule was given and is still followed: it has not ended, its threads could run,
   /// and the user has chosen no other one.
   bool follows_schedule() const;

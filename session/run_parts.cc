@@ -10,12 +10,17 @@ Members CompiledMembers() {
   return {Has("compiled", Flag()), Has("diagnostics", ListOf(The("Diagnostic")))};
 }
 
-/// The goals of a walk: some alone, those of a thread, and one with a member of its own.
-Json WalkTo(const std::vector<std::string_view>& alone, std::string_view goal, const Member& its) {
+/// The goals of a walk: some alone, those of a thread, and some with a member of their own.
+Json WalkTo(const std::vector<std::string_view>& alone,
+            const std::vector<std::pair<std::string_view, Member>>& others) {
   const Member budget = MayHave("budget", Whole(), "So many steps at most; 1000000 without it.");
-  return OneOf({Object({Has("goal", Words(alone)), budget}),
-                Object({Has("goal", Words({"statement", "line"})), Has("thread", Whole()), budget}),
-                Object({Has("goal", Always(goal)), its, budget})});
+  std::vector<Json> walks{
+      Object({Has("goal", Words(alone)), budget}),
+      Object({Has("goal", Words({"statement", "line"})), Has("thread", Whole()), budget})};
+  for (const auto& [goal, its] : others) {
+    walks.push_back(Object({Has("goal", Always(goal)), its, budget}));
+  }
+  return OneOf(std::move(walks));
 }
 
 /// A place at which a walk is to stop, by these members, with the options of all such places.
@@ -114,9 +119,11 @@ std::vector<Part> StateParts() {
 std::vector<Part> WalkParts() {
   return {
       {"ForwardWalk", "How far a walk goes forward.",
-       WalkTo({"step", "cycle", "stop", "rest", "call"}, "time", Has("ms", Number()))},
+       WalkTo(
+           {"step", "cycle", "stop", "rest", "call"},
+           {{"time", Has("ms", Number())}, {"end", MayHave("ms", Number(), "So long at most.")}})},
       {"BackWalk", "How far a walk goes back.",
-       WalkTo({"step", "cycle", "stop", "call"}, "change", Has("name", Text()))},
+       WalkTo({"step", "cycle", "stop", "call"}, {{"change", Has("name", Text())}})},
       {"WalkResult", "Where a walk has ended.",
        Object({Has("stop", The("Stop")), Has("state", The("State"))})},
       {"StopReason", "Why a walk has ended.",

@@ -32,7 +32,7 @@ Json ListOf(Json item) { return {{"type", "array"}, {"items", std::move(item)}};
 Json ByName(Json member) {
   return {{"type", "object"}, {"additionalProperties", std::move(member)}};
 }
-Json OneOf(std::initializer_list<Json> types) { return {{"anyOf", Json::array_t(types)}}; }
+Json OneOf(std::vector<Json> types) { return {{"anyOf", std::move(types)}}; }
 Json OrNull(Json type) { return OneOf({std::move(type), {{"type", "null"}}}); }
 Json The(std::string_view part) { return {{"$ref", "#/$defs/" + std::string(part)}}; }
 

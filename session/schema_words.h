@@ -28,7 +28,7 @@ Json Words(const std::vector<std::string_view>& words);
 Json ListOf(Json item);
 /// An object whose members have any names, and this type.
 Json ByName(Json member);
-Json OneOf(std::initializer_list<Json> types);
+Json OneOf(std::vector<Json> types);
 Json OrNull(Json type);
 /// The type of a part, by its name.
 Json The(std::string_view part);

@@ -13,6 +13,9 @@ namespace {
 
 using runtime::Quantity;
 
+/// So long after the end of its threads a card whose axes never rest is no longer watched.
+constexpr int64_t kLongestAfterEndUs = 60'000'000;
+
 /// Fails if a walk names a thread that does not exist.
 Result<void> CheckThread(const Walk& walk) {
   if (walk.goal != Goal::kStatement && walk.goal != Goal::kLine) return {};
@@ -114,6 +117,9 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
     if (walk.goal == Goal::kStop && run_->Over()) {
       return Stop{StopReason::kEnd, -1, -1, {}, stops_.FailedAtEnd(*run_)};
     }
+    if (walk.goal == Goal::kEnd && HasEnded()) {
+      return Stop{StopReason::kEnd, -1, -1, {}, stops_.FailedAtEnd(*run_)};
+    }
     if (walk.goal == Goal::kRest && Rests()) return Stop{StopReason::kGoal};
     if (run_->moment() - start >= walk.budget || run_->EndIsWanted())
       return Stop{StopReason::kBudget};
@@ -153,6 +159,7 @@ std::optional<Stop> Session::Reached(const Walk& walk, const StepReport& step,
     case Goal::kCycle:
       return reached(between);
     case Goal::kTime:
+    case Goal::kEnd:
       return reached(between && run_->controller().cycle() >= goal_cycle);
     case Goal::kCall:
       if (step.call) return Stop{StopReason::kGoal, -1, -1, *run_->last_call()};
@@ -190,6 +197,13 @@ bool Session::Rests() const {
          runtime::MovingAxes(run_->controller()) == 0;
 }
 
+bool Session::HasEnded() const {
+  const auto over = run_->Over();
+  if (over != runtime::RunOver::kQuiet || Rests()) return over.has_value();
+  const runtime::CardClock& clock = run_->controller().clock();
+  return run_->controller().cycle() >= run_->over_cycle() + clock.CyclesIn(kLongestAfterEndUs);
+}
+
 Result<Stop> Session::StepThread(int thread) {
   stops_.Begin(*run_);
   const auto stepped = run_->StepThread(thread);
@@ -221,10 +235,11 @@ Result<Stop> Session::Back(const Walk& walk) {
     }
     case Goal::kTime:
     case Goal::kRest:
+    case Goal::kEnd:
       break;
   }
-  return MakeError(1, "a walk for a time, or until everything rests, goes forward",
-                   "按时间或直到静止的行走只能前进");
+  return MakeError(1, "a walk for a time, until everything rests or to the end goes forward",
+                   "按时间、直到静止或直到结束的行走只能前进");
 }
 
 Session::Look Session::LookFor(const Walk& walk) {

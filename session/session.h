@@ -31,13 +31,14 @@ enum class Goal : uint8_t {
   kStop,       ///< until something stops it; forward also: until the scenario's run is over
   kRest,       ///< until no thread runs and no axis moves; forward only
   kChange,     ///< back to where a value last changed
-  kCall        ///< one call of a recorded host
+  kCall,       ///< one call of a recorded host
+  kEnd         ///< until a run that is watched has ended (Session::Forward); forward only
 };
 
 struct Walk {
   Goal goal = Goal::kStop;
   int thread = 0;       ///< kStatement, kLine
-  int64_t time_us = 0;  ///< kTime
+  int64_t time_us = 0;  ///< kTime; kEnd: at most so long
   std::string name;     ///< kChange: a value (quantity.h)
   int64_t budget = 1'000'000;
 };
@@ -101,6 +102,7 @@ class Session {
   /// is a stop; the present is where it was.
   bool AdvanceUnchecked(int64_t last);
   bool Rests() const;
+  bool HasEnded() const;
 
   struct Found {
     int64_t moment = 0;

@@ -60,10 +60,11 @@ TEST_F(HostTest, SuggestsSimilarRequests) {
 }
 
 TEST_F(HostTest, ReportsAllMistakesOfTheArguments) {
-  EXPECT_EQ(ErrorOf("forward", {{"goal", "sideways"}, {"budget", 0}, {"bugdet", 1}}),
-            "'goal' is wrong: one of step, statement, line, cycle, time, stop, rest, change, call\n"
-            "'budget' is wrong: an integer from 1 to 1000000000\n"
-            "'bugdet' is not an argument of this request; did you mean 'budget'?");
+  EXPECT_EQ(
+      ErrorOf("forward", {{"goal", "sideways"}, {"budget", 0}, {"bugdet", 1}}),
+      "'goal' is wrong: one of step, statement, line, cycle, time, stop, rest, change, call, end\n"
+      "'budget' is wrong: an integer from 1 to 1000000000\n"
+      "'bugdet' is not an argument of this request; did you mean 'budget'?");
   EXPECT_EQ(ErrorOf("trace", {{"from_ms", 0}, {"to_ms", 1}, {"points", 1}}),
             "'names' is missing: a list of texts");
   EXPECT_EQ(ErrorOf("go_to"), "'moment' is missing: an integer from 0 to 9007199254740992");

@@ -90,6 +90,45 @@ TEST(Forward, GoesOnAfterTheEndOfTheRunUntilEverythingRests) {
   EXPECT_EQ(session.run().controller().NowMs(), 60.25);
 }
 
+/// A walk to the end in pieces of this length; the number of them.
+int ForwardToEnd(int64_t piece_us, Session* session) {
+  Walk walk = To(Goal::kEnd);
+  walk.time_us = piece_us;
+  int pieces = 1;
+  while (Forward(walk, session).reason == StopReason::kGoal) ++pieces;
+  return pieces;
+}
+
+TEST(Forward, ARunEndsAtTheSameMomentInPiecesOfAnyLength) {
+  for (const int64_t piece_us : {250, 7000, 1'000'000}) {
+    // The axis travels 500 pulses after its thread has ended, which takes 60.25 ms as above.
+    Session moving = SessionOf(
+        "TTrapPrm trap;\nint main()\n{\n  GT_PrfTrap(1);\n  trap.acc = 1;\n  trap.dec = 1;\n"
+        "  trap.velStart = 0;\n  trap.smoothTime = 0;\n  GT_SetTrapPrm(1, &trap);\n"
+        "  GT_SetVel(1, 10);\n  GT_SetPos(1, 500);\n  GT_Update(1);\n}\n");
+    EXPECT_EQ(ForwardToEnd(piece_us, &moving), 60'250 / piece_us + 1) << piece_us;
+    EXPECT_EQ(moving.run().controller().NowMs(), 60.25) << piece_us;
+    Session limited = SessionOf(kMove, "until_ms = 5\n");
+    ForwardToEnd(piece_us, &limited);
+    EXPECT_EQ(limited.run().controller().NowMs(), 5) << piece_us;
+    // An axis that jogs is watched for a minute.
+    Session jogging =
+        SessionOf("int main()\n{\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n}\n",
+                  "limit_ms = 100000\n");
+    ForwardToEnd(piece_us, &jogging);
+    EXPECT_EQ(jogging.run().controller().NowMs(), 60'000.25) << piece_us;
+  }
+}
+
+TEST(Forward, AnEndSaysWhatDoesNotHold) {
+  Session session = SessionOf(kRace, "final = [\"x == 2\"]\n" + std::string(kTwoThreads));
+  Walk walk = To(Goal::kEnd);
+  walk.time_us = 1000;
+  const Stop stop = Forward(walk, &session);
+  ASSERT_EQ(stop.failed.size(), 1u);
+  EXPECT_EQ(stop.failed[0].en, "final: x == 2 does not hold: x is 1");
+}
+
 TEST(Forward, ABudgetEndsEveryWalk) {
   Session session = SessionOf(kMove);
   for (const Goal goal : {Goal::kStop, Goal::kRest}) {

@@ -60,6 +60,17 @@ export type ForwardWalk =
        * So many steps at most; 1000000 without it.
        */
       budget?: number;
+    }
+  | {
+      goal: "end";
+      /**
+       * So long at most.
+       */
+      ms?: number;
+      /**
+       * So many steps at most; 1000000 without it.
+       */
+      budget?: number;
     };
 /**
  * Why a walk has ended.
