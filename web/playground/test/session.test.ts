@@ -1,14 +1,14 @@
 // The session of the page with a real `oncard`, without the page.
 
 import { effect } from "@preact/signals";
-import { afterAll, beforeAll, beforeEach, expect, test, vi } from "vitest";
+import { afterAll, beforeAll, beforeEach, expect, onTestFinished, test, vi } from "vitest";
 
 import { bench, present, session } from "../src/session/bench.js";
 import { followSource, messages } from "../src/session/messages.js";
 import { isEdited, ready, toggleBreakpoint } from "../src/session/on_card.js";
 import { chooseOpening, closeRecord, openRecord, record } from "../src/session/record.js";
 import { ownProgram } from "../src/store/own_program.js";
-import { chooseSpeed } from "../src/store/settings.js";
+import { chooseSpeed, speeds } from "../src/store/settings.js";
 import { edit, openLesson } from "../src/store/source.js";
 import { stubStorage } from "./storage.js";
 
@@ -121,6 +121,27 @@ test("a run ends, and begins anew after the end", async () => {
   stop();
   expect(moments.slice(0, 2)).toEqual([end, 0]);
   expect([notice(), moment()]).toEqual(["stopped", end]);
+});
+
+/** The axis travels 500 pulses after its thread has ended: 10 ms, 40 ms and 10 ms, from 0.25 ms on. */
+const travelling =
+  "TTrapPrm trap;\nint main()\n{\n  GT_PrfTrap(1);\n  trap.acc = 1;\n  trap.dec = 1;\n" +
+  "  GT_SetTrapPrm(1, &trap);\n  GT_SetVel(1, 10);\n  GT_SetPos(1, 500);\n  GT_Update(1);\n}\n";
+
+test.each(speeds)("a run at %d times the speed ends where the engine says", async (speed) => {
+  chooseSpeed(speed);
+  onTestFinished(() => {
+    chooseSpeed(Infinity);
+  });
+  open(travelling);
+  await vi.waitFor(() => {
+    expect([isEdited.value, notice(), globals()]).toEqual([
+      ...[false, "ready"],
+      ["trap.acc", "trap.dec", "trap.velStart", "trap.smoothTime"],
+    ]);
+  });
+  await bench.run();
+  expect([notice(), present.state.value?.time_ms]).toEqual(["stopped", 60.25]);
 });
 
 test("breakpoints go to statements of what is loaded, and wait for what is edited", async () => {

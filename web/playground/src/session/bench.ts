@@ -39,8 +39,6 @@ export type Notice =
 const stepsToStatement = 20_000;
 /** Steps in one request of a run; other requests are answered after them. */
 const stepsOfRun = 40_000;
-/** So long after the end of its threads, in ms, a card without a rest is stopped. */
-const longestAfterEnd = 60_000;
 
 interface Session {
   notice: Notice;
@@ -299,15 +297,15 @@ class Bench {
           settings.speed.value === Infinity
             ? await this.#fast(engine)
             : await engine.forward(
-                { goal: "time", ms: Math.max(passed * settings.speed.value, 0.05) },
+                { goal: "end", ms: Math.max(passed * settings.speed.value, 0.05) },
                 stepsOfRun,
               );
-        const stop = await this.#endOf(engine, result);
-        if (stop) {
-          await this.#show(stop.state, { kind: "stopped", stop: stop.stop });
+        const { stop, state } = result;
+        if (stop.reason !== "goal" && stop.reason !== "budget") {
+          await this.#show(state, { kind: "stopped", stop });
           return;
         }
-        await this.#show(result.state);
+        await this.#show(state);
       }
       changeSession({ notice: { kind: "ready" } });
     }, control);
@@ -319,23 +317,10 @@ class Bench {
   async #fast(engine: Engine): Promise<WalkResult> {
     const begin = performance.now();
     for (;;) {
-      const over = present.state.value?.over !== undefined;
-      const result = await engine.forward({ goal: over ? "rest" : "stop" }, stepsOfRun);
+      const result = await engine.forward({ goal: "end" }, stepsOfRun);
       if (result.stop.reason !== "budget" || performance.now() - begin > 60) return result;
     }
   }
-
-  /** Why a run ends here; undefined if it goes on. The axes come to rest after the threads. */
-  async #endOf(engine: Engine, result: WalkResult): Promise<WalkResult | undefined> {
-    const { stop, state } = result;
-    if (!["goal", "budget", "end"].includes(stop.reason)) return result;
-    if (state.over === undefined) return undefined;
-    const rests = state.over !== "quiet" || !movesIn(await engine.card());
-    const since = (this.#overSince ??= state.time_ms);
-    if (!rests && state.time_ms - since < longestAfterEnd) return undefined;
-    return engine.forward({ goal: "stop" });
-  }
-  #overSince: number | undefined;
 
   /** One statement, whichever thread is next; if no thread runs, a call of the host or a cycle. */
   stepStatement(): Promise<void> {
@@ -416,7 +401,6 @@ class Bench {
     return this.#then(async (engine) => {
       if (!present.state.peek()) return;
       this.#walk = control;
-      this.#overSince = undefined;
       changeSession({ running: true });
       try {
         await walk(engine, control.signal);
@@ -486,14 +470,6 @@ async function accepted(engine: Engine, wished: readonly number[]): Promise<numb
 
 function linesOf({ statements }: ListedFunction): number[] {
   return statements.map(({ line }) => line);
-}
-
-/** Whether an axis moves. */
-function movesIn({ parts }: Card): boolean {
-  return parts.some(
-    ({ part, values }) =>
-      part === "axis" && values.some(({ name, value }) => name === "moving" && value !== 0),
-  );
 }
 
 /** The next picture; a hidden page draws none. */
