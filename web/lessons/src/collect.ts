@@ -5,10 +5,11 @@
 //   text.en.md, text.zh.md    the text
 //   start.c, solution.c       the program as the student finds it, and one that passes
 //   task.toml                 the scenario of the task, with program = "start.c"
+//   hidden.toml               if there is one: a scenario with other inputs, for the check alone
 //
 // Tested by test/collect.test.ts.
 
-import { readdirSync, readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -48,6 +49,7 @@ function collectLesson(folder: string, id: string): CollectedLesson {
     files: { "start.c": read("start.c"), "task.toml": read("task.toml") },
     program: "start.c",
     main: "task.toml",
+    ...(existsSync(join(folder, "hidden.toml")) ? { hidden: [read("hidden.toml")] } : {}),
   });
   if ("mistakes" in parsed) {
     const mistakes = parsed.mistakes.map(({ where, message }) => `${where}: ${message.en}`);

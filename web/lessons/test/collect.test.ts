@@ -59,6 +59,13 @@ test("lessons have the order of their numbers", () => {
   expect(lessons.map(({ lesson }) => lesson.id)).toEqual(["c", "a", "b"]);
 });
 
+test("a scenario that the student does not see is part of a lesson", () => {
+  const hidden = 'program = "start.c"\nexpect = []\n';
+  const folder = folderOf({ "01-a": good, "02-b": { ...good, "hidden.toml": hidden } });
+  const lessons = collectLessons(folder);
+  expect(lessons.map(({ lesson }) => lesson.hidden)).toEqual([undefined, [hidden]]);
+});
+
 test("a mistake names the folder and the place", () => {
   const lesson = { ...good, "lesson.toml": 'task = "run"\ntitle = { en = 1 }\nhints = []' };
   const folder = folderOf({ "01-bad": lesson });

@@ -13,6 +13,7 @@ function example(): Lesson {
     main: "task.toml",
     task: "explore",
     structured: true,
+    hidden: ['program = "start.c"\nexpect = ["x == 2"]\n'],
     scope: ["axis1.prfPos"],
   };
 }
@@ -27,9 +28,9 @@ test("a lesson is read as it was written", () => {
   expect(parseLesson(written)).toEqual({ lesson: example() });
 });
 
-test("structured and scope may be missing, and stay so", () => {
-  const { structured, scope, ...rest } = example();
-  expect([structured, scope]).toEqual([true, ["axis1.prfPos"]]);
+test("structured, hidden and scope may be missing, and stay so", () => {
+  const { structured, hidden, scope, ...rest } = example();
+  expect([structured, hidden?.length, scope]).toEqual([true, 1, ["axis1.prfPos"]]);
   expect(parseLesson(rest)).toStrictEqual({ lesson: rest });
 });
 
@@ -99,6 +100,10 @@ describe("mistakes name their place and what was expected", () => {
     ["main", /expected a text/, { main: ["task.toml"] }],
     ["task", /expected 'run' or 'explore'/, { task: "prove" }],
     ["structured", /expected true or false/, { structured: 1 }],
+    ["hidden", /expected a list/, { hidden: "" }],
+    ["hidden", /5 elements; at most 4/, { hidden: Array(5).fill("x") }],
+    ["hidden[0]", /the text is empty/, { hidden: [""] }],
+    ["hidden[0]", /at most 65536/, { hidden: [long(65_536)] }],
     ["scope", /expected a list/, { scope: "axis1.prfPos" }],
     ["scope[0]", /at most 64/, { scope: [long(64)] }],
     ["scope", /at most 16/, { scope: Array(17).fill("x") }],

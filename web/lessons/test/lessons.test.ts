@@ -2,7 +2,8 @@
 // passes, and both languages say the same.
 
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -18,8 +19,8 @@ const wasm = `${top}/build/web/oncard-full.wasm`;
 const lessons = collectLessons().map((each) => ({ ...each, name: basename(each.folder) }));
 
 /** The table of `oncard test` for the programs that a pattern names. */
-function graded(folder: string, pattern: string): string {
-  const task = join(folder, "task.toml");
+function graded(folder: string, pattern: string, scenario = "task.toml"): string {
+  const task = join(folder, scenario);
   const args = ["test", task, "--program", join(folder, pattern), "--format=csv"];
   try {
     return execFileSync(oncard, args, { encoding: "utf8" });
@@ -54,8 +55,22 @@ describe.each(lessons)("$name", ({ folder, lesson, solution }) => {
     expect(graded(folder, "solution.c")).toMatch(/solution\.c",yes,/);
   });
 
-  test("the scenario is proved exactly if the task says so", () => {
-    expect(/^explore = "prove"$/m.test(scenario)).toBe(lesson.task === "explore");
+  test("the solution passes with what is hidden", () => {
+    if (lesson.hidden) expect(graded(folder, "solution.c", "hidden.toml")).toMatch(/",yes,/);
+  });
+
+  test("the scenarios are proved exactly if the task says so", () => {
+    for (const each of [scenario, ...(lesson.hidden ?? [])]) {
+      expect(/^explore = "prove"$/m.test(each)).toBe(lesson.task === "explore");
+    }
+  });
+
+  test("a function that gives results is asked for others, too", () => {
+    const questions = (text: string) => text.match(/^init = .*$/gm) ?? [];
+    if (!scenario.includes(".result ==")) return;
+    const [hidden = ""] = lesson.hidden ?? [];
+    expect(questions(hidden).length).toBeGreaterThanOrEqual(3);
+    for (const question of questions(hidden)) expect(questions(scenario)).not.toContain(question);
   });
 
   test("no constant answers all questions", () => {
@@ -90,6 +105,81 @@ describe.each(lessons)("$name", ({ folder, lesson, solution }) => {
     const words = lesson.text.en.split(/\s+/).length;
     expect(words).toBeGreaterThanOrEqual(150);
     expect(words).toBeLessThanOrEqual(350);
+  });
+});
+
+// Programs that do what the scenario of a task asks, and not what its text does.
+const tricks = [
+  {
+    of: "01-assignment",
+    trick: "answers for the numbers of the task",
+    program:
+      "int twice(int number)\n{\n  int answer;\n  int is;\n  answer = 42;\n  is = number == 1000;\n" +
+      "  if (is) goto lbl_b;\n  is = number == -7;\n  if (is) goto lbl_c;\n  return answer;\n" +
+      "lbl_b:\n  return 2000;\nlbl_c:\n  return -14;\n}\n",
+    task: true,
+  },
+  {
+    of: "09-inputs",
+    trick: "a clock instead of the buttons",
+    program:
+      "int lamp(int number)\n{\n  int is;\n  is = number == 2;\n  if (is) goto lbl_b;\n" +
+      "  GT_Delay(21);\n  GT_SetDoBit(12, 1, 1);\n  GT_Delay(50);\n  GT_SetDoBit(12, 1, 0);\n" +
+      "  GT_Delay(130);\n  GT_SetDoBit(12, 1, 1);\n  GT_Delay(50);\n  GT_SetDoBit(12, 1, 0);\n" +
+      "  return 0;\nlbl_b:\n  GT_Delay(111);\n  GT_SetDoBit(12, 2, 1);\n  GT_Delay(50);\n" +
+      "  GT_SetDoBit(12, 2, 0);\n  return 0;\n}\n",
+    task: true,
+  },
+  {
+    of: "10-lost-update",
+    trick: "one thread counts everything",
+    program:
+      "int parts;\nint count(int n)\n{\n  int more;\n  more = n == 2;\n  if (more) goto lbl_end;\n" +
+      "  n = n + 2;\nlbl_loop:\n  parts = parts + 1;\n  n = n - 1;\n  more = n > 0;\n" +
+      "  if (more) goto lbl_loop;\nlbl_end:\n  return 0;\n}\n",
+    task: true,
+  },
+  {
+    of: "11-lock",
+    trick: "no lock at all",
+    program:
+      "int want0;\nint want1;\nint turn;\nint at_table;\nint total;\n" +
+      ["first", "second"]
+        .map(
+          (name) =>
+            `int ${name}(int amount)\n{\n  at_table = 1;\n  total = total + amount;\n` +
+            "  at_table = 0;\n  return 0;\n}\n",
+        )
+        .join(""),
+    task: false,
+  },
+  {
+    of: "11-lock",
+    trick: "the second waits until the first has been",
+    program:
+      "int want0;\nint want1;\nint turn;\nint at_table;\nint total;\nint first(int amount)\n{\n" +
+      "  at_table = 1;\n  total = total + amount;\n  at_table = 0;\n  turn = 1;\n  return 0;\n}\n" +
+      "int second(int amount)\n{\n  int wait;\nlbl_wait:\n  wait = turn == 0;\n" +
+      "  if (wait) goto lbl_wait;\n  at_table = 1;\n  total = total + amount;\n  at_table = 0;\n" +
+      "  return 0;\n}\n",
+    task: true,
+  },
+];
+
+describe("a trick does not solve a task", () => {
+  const at = mkdtempSync(join(tmpdir(), "oncard-tricks-"));
+  afterAll(() => {
+    rmSync(at, { recursive: true });
+  });
+  test.each(tricks)("$of: $trick", ({ of, program, task }) => {
+    const folder = lessons.find(({ name }) => name === of)?.folder ?? "";
+    writeFileSync(join(at, "trick.c"), program);
+    for (const name of ["task.toml", "hidden.toml"]) {
+      writeFileSync(join(at, name), readFileSync(join(folder, name)));
+    }
+    const passes = (scenario: string) => graded(at, "trick.c", scenario).includes('",yes,');
+    expect(passes("task.toml")).toBe(task);
+    expect(passes("task.toml") && passes("hidden.toml")).toBe(false);
   });
 });
 
