@@ -43,6 +43,20 @@ test("a run stops at the breakpoints, which are set beside the lines", async ({ 
   await expect(status(page)).toHaveText(/^Finished/);
 });
 
+test("a click at the number of a line sets its breakpoint", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, counting);
+  await expect(page.getByText("No messages")).toBeVisible();
+  const fifth = page.locator(".cm-lineNumbers .cm-gutterElement").filter({ hasText: /^5$/ });
+  await fifth.click();
+  await expect(page.getByRole("group", { name: "Breakpoints" }).getByRole("button")).toHaveText([
+    "5 ×",
+  ]);
+  await fifth.click();
+  await expect(page.getByRole("group", { name: "Breakpoints" })).toHaveCount(0);
+});
+
 test("breakpoints move with their lines, and have a key", async ({ page }) => {
   await open(page);
   await openOwn(page);

@@ -8,7 +8,13 @@ import {
   StateEffect,
   StateField,
 } from "@codemirror/state";
-import { gutter, GutterMarker } from "@codemirror/view";
+import {
+  type BlockInfo,
+  type EditorView,
+  gutter,
+  GutterMarker,
+  lineNumbers,
+} from "@codemirror/view";
 
 class Marker extends GutterMarker {
   override toDOM(): Node {
@@ -52,20 +58,24 @@ export function breakpointLines(state: EditorState): number[] {
   return [...lines];
 }
 
-/** @param onClick beside a line */
+/** With the numbers of the lines. @param onClick beside a line, or at its number */
 export function breakpointGutter(onClick: (line: number) => void): Extension {
+  const domEventHandlers = {
+    mousedown: (view: EditorView, block: BlockInfo) => {
+      onClick(view.state.doc.lineAt(block.from).number);
+      return true;
+    },
+  };
   return [
     field,
     gutter({
       class: "cm-breakpoints",
       markers: (view) => view.state.field(field),
       initialSpacer: () => marker,
-      domEventHandlers: {
-        mousedown: (view, block) => {
-          onClick(view.state.doc.lineAt(block.from).number);
-          return true;
-        },
-      },
+      // Each shows under the pointer that it can have one.
+      renderEmptyElements: true,
+      domEventHandlers,
     }),
+    lineNumbers({ domEventHandlers }),
   ];
 }

@@ -20,7 +20,6 @@ import {
   EditorView,
   highlightActiveLine,
   keymap,
-  lineNumbers,
 } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 
@@ -66,8 +65,14 @@ const look = EditorView.theme({
     border: "1px solid var(--line-strong)",
   },
   ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--text)" },
-  ".cm-breakpoints .cm-gutterElement": { cursor: "pointer", minWidth: "1.1em" },
+  ".cm-breakpoints .cm-gutterElement": { minWidth: "24px", textAlign: "center" },
+  ".cm-breakpoints .cm-gutterElement, .cm-lineNumbers .cm-gutterElement": { cursor: "pointer" },
   ".cm-breakpoint": { color: "var(--bad)", display: "block", textAlign: "center" },
+  ".cm-breakpoints .cm-gutterElement:empty:hover::before": {
+    content: "'\\25cf'",
+    color: "var(--bad)",
+    opacity: "0.4",
+  },
   ".cm-description": { maxWidth: "34em", maxHeight: "18em", overflow: "auto", padding: "2px 10px" },
   ".cm-description p, .cm-description pre": { margin: "6px 0" },
   ".cm-description pre": { whiteSpace: "pre-wrap" },
@@ -126,7 +131,6 @@ export class CodeEditor {
         breakpointGutter((line) => {
           this.on.toggle(line);
         }),
-        lineNumbers(),
         history(),
         drawSelection(),
         bracketMatching(),
