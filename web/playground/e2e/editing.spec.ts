@@ -57,6 +57,37 @@ test("a click at the number of a line sets its breakpoint", async ({ page }) => 
   await expect(page.getByRole("group", { name: "Breakpoints" })).toHaveCount(0);
 });
 
+test("words are completed while they are typed", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int speed;\nint main()\n{\n  \n}\n");
+  await editor(page).press("Control+Home");
+  for (let line = 1; line < 4; ++line) await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("End");
+  await page.keyboard.type("GT_SetVe");
+  const list = page.getByRole("listbox");
+  await expect(list.getByRole("option").first()).toContainText("GT_SetVel");
+  await page.keyboard.press("Enter");
+  await expect(editor(page)).toContainText("GT_SetVel");
+  await page.keyboard.type("(1, spe");
+  await expect(list.getByRole("option").first()).toContainText("speed");
+  // What the list shows goes with Escape, and the editor keeps the focus.
+  await page.keyboard.press("Escape");
+  await expect(list).toHaveCount(0);
+  await expect(editor(page)).toBeFocused();
+});
+
+test("keys of a scenario are completed", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\n');
+  await editor(page).press("Control+End");
+  await page.keyboard.type("until");
+  const list = page.getByRole("listbox");
+  await expect(list.getByRole("option").first()).toContainText("until_ms");
+});
+
 test("breakpoints move with their lines, and have a key", async ({ page }) => {
   await open(page);
   await openOwn(page);

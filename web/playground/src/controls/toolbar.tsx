@@ -218,6 +218,12 @@ function KeysDialog({ onClose }: { onClose: () => void }) {
             </td>
           </tr>
           <tr>
+            <th scope="row">{t.complete}</th>
+            <td>
+              <kbd>Ctrl+Space</kbd>
+            </td>
+          </tr>
+          <tr>
             <th scope="row">{t.tab}</th>
             <td>
               <kbd>Tab</kbd>

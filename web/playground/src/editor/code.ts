@@ -1,7 +1,7 @@
 // The editor of one text: CodeMirror with the language C, underlined messages, and marked lines.
 // It stands in a shadow root, where its styles need no exception in the page's security policy.
 
-import { autocompletion, closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { cpp } from "@codemirror/lang-cpp";
 import {
@@ -24,6 +24,7 @@ import {
 import { tags } from "@lezer/highlight";
 
 import { breakpointGutter, breakpointLines, setBreakpoints } from "./breakpoints.js";
+import { type Complete, completions } from "./completions.js";
 import { type Describe, descriptions } from "./descriptions.js";
 
 /** Lines that are marked, by their class. */
@@ -77,6 +78,14 @@ const look = EditorView.theme({
   ".cm-description p, .cm-description pre": { margin: "6px 0" },
   ".cm-description pre": { whiteSpace: "pre-wrap" },
   ".cm-description td, .cm-description th": { padding: "1px 8px 1px 0", textAlign: "left" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul": { fontFamily: "var(--mono)", fontSize: "13px" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul > li": { padding: "2px 8px", lineHeight: "20px" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": {
+    backgroundColor: "var(--accent)",
+    color: "var(--on-accent)",
+  },
+  ".cm-completionDetail": { color: "var(--muted)", fontStyle: "normal" },
+  "li[aria-selected] .cm-completionDetail": { color: "inherit" },
   ".cm-lint-marker": { width: "0.8em", height: "0.8em" },
 });
 
@@ -114,6 +123,7 @@ export class CodeEditor {
       /** The text before breakpoints was edited: their lines now. */
       moved: (lines: number[]) => void;
       describe: Describe;
+      complete: Complete;
     },
   ) {
     const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
@@ -135,7 +145,7 @@ export class CodeEditor {
         drawSelection(),
         bracketMatching(),
         closeBrackets(),
-        autocompletion({ override: [] }),
+        completions(this.on.complete),
         highlightActiveLine(),
         highlightSelectionMatches(),
         search({ top: true }),

@@ -6,7 +6,7 @@ import { Dialog } from "../panel/dialog.js";
 import { htmlOf } from "../lesson/markdown.js";
 import { bench, present, session } from "../session/bench.js";
 import { messages } from "../session/messages.js";
-import { describe, isEdited, toggleBreakpoint } from "../session/on_card.js";
+import { complete, describe, isEdited, toggleBreakpoint } from "../session/on_card.js";
 import { chooseLine, layout } from "../store/layout.js";
 import { settings } from "../store/settings.js";
 import {
@@ -210,6 +210,20 @@ function Code() {
           from: indexOfPlace(text, range.line, range.column),
           to: indexOfPlace(text, range.end_line, range.end_column),
           html: htmlOf(markdown),
+        };
+      },
+      complete: async (index) => {
+        const { text } = created;
+        const { line, column } = placeOfIndex(text, index);
+        const found = await complete(line, column).catch(() => undefined);
+        if (!found || text !== created.text) return undefined;
+        const { range, items } = found;
+        return {
+          from: indexOfPlace(text, range.line, range.column),
+          to: indexOfPlace(text, range.end_line, range.end_column),
+          words: items.map(({ documentation, ...word }) =>
+            documentation === undefined ? word : { ...word, html: htmlOf(documentation) },
+          ),
         };
       },
     });

@@ -1,6 +1,6 @@
 // What of the source is on the card, and how it gets there.
 
-import type { Description } from "@oncard/engine";
+import type { Completion, Description, SourcePlace } from "@oncard/engine";
 import { computed } from "@preact/signals";
 
 import { source } from "../store/source.js";
@@ -34,5 +34,15 @@ export function toggleBreakpoint(line: number): void {
 /** What is at a place of the open file. */
 export async function describe(line: number, column: number): Promise<Description | null> {
   const engine = await bench.engine();
-  return engine.describe({ ...source.project.peek(), file: source.file.peek(), line, column });
+  return engine.describe(placeOf(line, column));
+}
+
+/** What can stand at a place of the open file. */
+export async function complete(line: number, column: number): Promise<Completion> {
+  const engine = await bench.engine();
+  return engine.complete(placeOf(line, column));
+}
+
+function placeOf(line: number, column: number): SourcePlace {
+  return { ...source.project.peek(), file: source.file.peek(), line, column };
 }

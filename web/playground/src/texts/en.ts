@@ -53,6 +53,7 @@ export const en = {
     check: "Check the task",
     breakpoint: "Breakpoint at the cursor's line, or none",
     describe: "What the name at the cursor is",
+    complete: "Words that can stand at the cursor",
     escape: "Leave the editor: then Tab moves on",
     tab: "Indent in the editor",
   },

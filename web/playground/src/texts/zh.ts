@@ -55,6 +55,7 @@ export const zh: Texts = {
     check: "检查任务",
     breakpoint: "在光标所在行设置或取消断点",
     describe: "光标处的名称是什么",
+    complete: "光标处可以写的词",
     escape: "离开编辑器：之后 Tab 移到下一处",
     tab: "在编辑器中缩进",
   },
