@@ -144,6 +144,23 @@ test.each(speeds)("a run at %d times the speed ends where the engine says", asyn
   expect([notice(), present.state.value?.time_ms]).toEqual(["stopped", 60.25]);
 });
 
+test("a step back goes to the last statement at once, however long ago it was", async () => {
+  open(travelling);
+  await vi.waitFor(() => {
+    expect([isEdited.value, notice(), globals()[0]]).toEqual([false, "ready", "trap.acc"]);
+  });
+  await bench.run();
+  const executed = () => present.state.value?.threads[0]?.statements ?? 0;
+  const all = executed();
+  const engine = await bench.engine();
+  const asked = [vi.spyOn(engine, "turns"), vi.spyOn(engine, "back"), vi.spyOn(engine, "goTo")];
+  await bench.stepBack();
+  expect([present.state.value?.next, executed()]).toEqual(["statement", all - 1]);
+  expect(asked.reduce((sum, { mock }) => sum + mock.calls.length, 0)).toBeLessThan(5);
+  await bench.stepBack();
+  expect([present.state.value?.next, executed()]).toEqual(["statement", all - 2]);
+});
+
 test("breakpoints go to statements of what is loaded, and wait for what is edited", async () => {
   toggleBreakpoint(3);
   await vi.waitFor(() => {

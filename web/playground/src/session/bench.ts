@@ -37,6 +37,8 @@ export type Notice =
 
 /** How many steps a step of the reader may take until a thread executes a statement. */
 const stepsToStatement = 20_000;
+/** So many moments are looked at for the last statement first, then four times as many. */
+const firstLook = 500;
 /** Steps in one request of a run; other requests are answered after them. */
 const stepsOfRun = 40_000;
 
@@ -341,16 +343,13 @@ class Bench {
 
   /** To before the last statement, or the last call or cycle if none was executed. */
   stepBack(): Promise<void> {
-    return this.#walking(async (engine, signal) => {
-      const { host, threads } = await engine.state();
-      const statements = threads.some((thread) => thread.statements > 0);
-      const whole = host ? "call" : "cycle";
-      for (let steps = 0; steps < stepsToStatement && !signal.aborted; ++steps) {
-        const result = await engine.back({ goal: statements ? "step" : whole });
-        const there = !statements || result.state.next === "statement";
-        if (there || result.stop.reason !== "goal") return this.#arrived(result);
+    return this.#walking(async (engine) => {
+      const { host, threads, moment } = await engine.state();
+      if (!threads.some((thread) => thread.statements > 0)) {
+        return this.#arrived(await engine.back({ goal: host ? "call" : "cycle" }));
       }
-      return this.#show(await engine.state(), { kind: "ready" });
+      const last = await lastStatement(engine, moment);
+      return this.#show(await engine.goTo({ moment: last }), { kind: "ready" });
     });
   }
 
@@ -458,6 +457,16 @@ class Bench {
 }
 
 export const bench = new Bench();
+
+/** The moment of the last statement before another one; 0 if there is none. */
+async function lastStatement(engine: Engine, before: number): Promise<number> {
+  for (let to = before, length = firstLook; to > 0; to -= length, length *= 4) {
+    const turns = await engine.turns(Math.max(0, to - length), to, length);
+    const last = turns.at(-1);
+    if (last) return last.moment + last.statements - 1;
+  }
+  return 0;
+}
 
 /** The lines of breakpoints that the engine has set. Behind the last statement there is none. */
 async function accepted(engine: Engine, wished: readonly number[]): Promise<number[]> {
