@@ -268,6 +268,53 @@ for (const lesson of ["assignment", "lost-update"]) {
   });
 }
 
+test("answers for the numbers of the task alone do not solve it", async ({ page }) => {
+  await open(page);
+  await write(
+    page,
+    "int twice(int number)\n{\n  int answer;\n  int is;\n  answer = 42;\n  is = number == 1000;\n" +
+      "  if (is) goto lbl_b;\n  is = number == -7;\n  if (is) goto lbl_c;\n  return answer;\n" +
+      "lbl_b:\n  return 2000;\nlbl_c:\n  return -14;\n}\n",
+  );
+  await page.getByRole("button", { name: "Check" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("but not with other inputs");
+  await expect(verdict).toContainText("thread0.result == 10");
+  await expect(page.getByText("0 of 14 solved")).toBeVisible();
+  await page.getByRole("button", { name: /中文|Chinese/ }).click();
+  await expect(verdict).toContainText("其他输入");
+});
+
+test("a lock that one thread alone does not pass is shown with its failing run", async ({
+  page,
+}) => {
+  await open(page, "#lesson=lock");
+  await write(
+    page,
+    "int want0;\nint want1;\nint turn;\nint at_table;\nint total;\nint first(int amount)\n{\n" +
+      "  at_table = 1;\n  total = total + amount;\n  at_table = 0;\n  turn = 1;\n  return 0;\n}\n" +
+      "int second(int amount)\n{\n  int wait;\nlbl_wait:\n  wait = turn == 0;\n" +
+      "  if (wait) goto lbl_wait;\n  at_table = 1;\n  total = total + amount;\n  at_table = 0;\n" +
+      "  return 0;\n}\n",
+  );
+  await page.getByRole("button", { name: "Check" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("but not with other inputs");
+  await expect(verdict).toContainText("starvation");
+  // What is on the card is not the task that the reader sees, and says so.
+  await expect(page.locator(".row-head")).toHaveCount(1);
+  await expect(page.locator(".panel.outdated")).toHaveCount(4);
+});
+
+test("a failure without one guilty step names none", async ({ page }) => {
+  await open(page, "#lesson=lock");
+  await page.getByRole("button", { name: "Explore" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("starvation: thread 0 finds want1 = 1");
+  await expect(verdict.locator(".culprit")).toHaveCount(0);
+  await expect(verdict.locator("p").filter({ hasText: "preemptions" })).toHaveCount(0);
+});
+
 test("a verdict goes when its program is edited", async ({ page }) => {
   await open(page);
   await page.getByRole("button", { name: "Check" }).click();

@@ -14,15 +14,15 @@ import { settings } from "../store/settings.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
 
-/** What a check says. */
+/** What a check says. `isHidden`: of a scenario that the reader does not see. */
 export type Verdict =
   | { kind: "none" }
   | { kind: "busy"; what: "check" | "explore" }
   | { kind: "stopped" }
   | { kind: "not-compiled" }
   | { kind: "refused"; message: string }
-  | { kind: "run"; run: NonNullable<RunAnswer["run"]> }
-  | { kind: "explored"; exploration: ExploreAnswer; isCheck: boolean };
+  | { kind: "run"; run: NonNullable<RunAnswer["run"]>; isHidden: boolean }
+  | { kind: "explored"; exploration: ExploreAnswer; isCheck: boolean; isHidden: boolean };
 
 const [{ verdict }, change] = slice<{ verdict: Verdict }>({ verdict: { kind: "none" } });
 export { verdict };
@@ -32,11 +32,12 @@ function say(said: Verdict): void {
 }
 
 /** Whether the verdict says that the task is solved. */
-export const isSolvedNow = computed(() => {
-  const { value } = verdict;
-  if (value.kind === "run") return value.run.passed;
-  return value.kind === "explored" && value.exploration.report?.verdict === "PROVED";
-});
+export const isSolvedNow = computed(() => solves(verdict.value));
+
+function solves(said: Verdict): boolean {
+  if (said.kind === "run") return said.run.passed;
+  return said.kind === "explored" && said.exploration.report?.verdict === "PROVED";
+}
 
 const engines = new Map<Purpose, Promise<Engine>>();
 let asked = 0;
@@ -70,40 +71,74 @@ async function judged(
   return verdict.value;
 }
 
-/** The program with the task as the lesson has it: the reader may change it for runs alone. */
-function projectOfTask(): Project {
+/**
+ * The program with each scenario for which the task must hold: that of the lesson, which the reader
+ * may change for runs alone, then those that nobody sees.
+ */
+function projectsOfTask(): Project[] {
   const project = source.project.peek();
-  const { id, main, files } = source.lesson.peek();
+  const { id, main, files, hidden = [] } = source.lesson.peek();
   const task = files[main];
-  if (id === ownProgram.id || task === undefined) return project;
-  return { ...project, files: { ...project.files, [main]: task } };
+  if (id === ownProgram.id || task === undefined) return [project];
+  const withScenario = (name: string, text: string) => ({
+    ...project,
+    main: name,
+    files: { ...project.files, [name]: text },
+  });
+  return [
+    project.files?.[main] === task ? project : withScenario(main, task),
+    ...hidden.map((text, index) => withScenario(`hidden-${index + 1}.toml`, text)),
+  ];
 }
 
 /** Searches all interleavings; a failing run is then on the card. */
-export async function explore(isCheck = false): Promise<void> {
-  const loaded = source.project.peek();
-  const explored = isCheck ? projectOfTask() : loaded;
-  const what = isCheck ? "check" : "explore";
+export async function explore(): Promise<void> {
+  await exploreAll("explore", [source.project.peek()]);
+}
+
+/** The first exploration that does not prove its project, or that of the first one. */
+async function exploreAll(what: "check" | "explore", projects: Project[]): Promise<void> {
+  let explored: Project | undefined;
+  const isCheck = what === "check";
   const found = await judged(what, "explorations", async (started) => {
-    const exploration = await started.explore(explored, settings.language.peek());
-    if (!exploration.compiled) return { kind: "not-compiled" };
-    return { kind: "explored", exploration, isCheck };
+    return firstFailing(projects, async (project, isHidden) => {
+      explored = project;
+      const exploration = await started.explore(project, settings.language.peek());
+      if (!exploration.compiled) return { kind: "not-compiled" };
+      return { kind: "explored", exploration, isCheck, isHidden };
+    });
   });
-  if (found.kind === "explored" && found.exploration.schedule !== undefined) {
+  if (explored && found.kind === "explored" && found.exploration.schedule !== undefined) {
     forgetRecord();
-    await bench.loadRecording(loaded, found.exploration.schedule);
+    await bench.loadRecording(explored, found.exploration.schedule);
   }
+}
+
+async function firstFailing(
+  projects: Project[],
+  judge: (project: Project, isHidden: boolean) => Promise<Verdict>,
+): Promise<Verdict> {
+  let first: Verdict | undefined;
+  for (const [index, project] of projects.entries()) {
+    const found = await judge(project, index > 0);
+    if (!solves(found)) return found;
+    first ??= found;
+  }
+  return first ?? { kind: "none" };
 }
 
 /** Checks the task of the lesson. */
 export async function checkTask(): Promise<void> {
   const { id, task } = source.lesson.peek();
-  if (task === "explore") await explore(true);
+  const projects = projectsOfTask();
+  if (task === "explore") await exploreAll("check", projects);
   else {
-    await judged("check", "programs", async (started) => {
-      const { run } = await started.run(projectOfTask());
-      return run ? { kind: "run", run } : { kind: "not-compiled" };
-    });
+    await judged("check", "programs", (started) =>
+      firstFailing(projects, async (project, isHidden) => {
+        const { run } = await started.run(project);
+        return run ? { kind: "run", run, isHidden } : { kind: "not-compiled" };
+      }),
+    );
   }
   if (isSolvedNow.value && source.lesson.peek().id === id) markSolved(id);
 }

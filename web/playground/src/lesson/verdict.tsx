@@ -34,6 +34,7 @@ export function VerdictBox() {
           </>
         ) : (
           <>
+            {said.isHidden && <p>{t.otherInputs}</p>}
             <p class="bad">{t.ended[said.run.end] ?? t.failed}</p>
             <ul>
               {said.run.failures.map(({ expectation, message }) => (
@@ -49,7 +50,10 @@ export function VerdictBox() {
           </>
         ))}
       {said.kind === "explored" && (
-        <Explored exploration={said.exploration} isCheck={said.isCheck} />
+        <>
+          {said.isHidden && <p>{t.otherInputs}</p>}
+          <Explored exploration={said.exploration} isCheck={said.isCheck} />
+        </>
       )}
     </section>
   );
@@ -78,7 +82,11 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
     <>
       <p class={isGood ? "good" : "bad"}>{isTask ? t.proved : e.verdicts[report.verdict]}</p>
       {report.verdict === "FAILED" && (
-        <Culprit text={text} hasChoice={report.choice !== undefined} />
+        <Culprit
+          text={text}
+          hasChoice={report.choice !== undefined}
+          isKnown={report.culprit !== undefined}
+        />
       )}
       {schedule !== undefined && <p>{e.opened}</p>}
       <details>
@@ -91,11 +99,12 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
   );
 }
 
-/** What the report says does not hold, in which case of its choices, and which step caused it. */
-function Culprit({ text, hasChoice }: { text: string; hasChoice: boolean }) {
+/** What the report says does not hold, in which case of its choices, and, if known, which step caused it. */
+function Culprit(props: { text: string; hasChoice: boolean; isKnown: boolean }) {
+  const { text, hasChoice, isKnown } = props;
   const paragraph = text.split("\n\n")[1] ?? "";
   const culprit = hasChoice ? 2 : 1;
-  const lines = paragraph.split("\n").slice(0, culprit + 1);
+  const lines = paragraph.split("\n").slice(0, isKnown ? culprit + 1 : culprit);
   return (
     <>
       {lines.map((line, index) => (

@@ -259,6 +259,8 @@ export const en = {
     passed: "Solved. All that the task asks holds.",
     proved: "Solved. It is proved for every interleaving.",
     failed: "Not yet. This does not hold:",
+    otherInputs:
+      "The task holds as you see it, but not with other inputs, which the check asks, too.",
     broken: "The program has errors; mend them first.",
     next: "Next lesson",
     ended: {

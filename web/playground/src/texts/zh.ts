@@ -249,6 +249,7 @@ export const zh: Texts = {
     passed: "完成。任务的所有要求都成立。",
     proved: "完成。已证明在每种交错下都成立。",
     failed: "还没有完成。以下不成立：",
+    otherInputs: "您看到的任务成立；但检查还会使用其他输入，那时不成立。",
     broken: "程序有错误，请先改正。",
     next: "下一课",
     ended: {
