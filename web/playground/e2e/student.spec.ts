@@ -344,6 +344,26 @@ test("a reload keeps the text, a reset keeps what was written", async ({ page })
   await expect(editor(page)).toContainText("mine = 7");
 });
 
+test("two tabs keep both texts, and say so", async ({ page, context }) => {
+  await open(page);
+  const second = await context.newPage();
+  await open(second);
+  await write(page, "int first;\nint main()\n{\n  first = 1;\n}\n");
+  const said = "Edited in another tab, too";
+  await expect(second.locator(".status")).toContainText(said);
+  await write(second, "int second;\nint main()\n{\n  second = 2;\n}\n");
+  await expect(page.locator(".status")).toContainText(said);
+  for (const each of [page, second]) {
+    await each.reload();
+    await expect(each.locator(".status")).not.toContainText(said);
+    const programs = each.getByLabel("Programs of this lesson");
+    await programs.selectOption("0");
+    await expect(editor(each)).toContainText("first = 1");
+    await programs.selectOption({ index: (await programs.locator("option").count()) - 1 });
+    await expect(editor(each)).toContainText("second = 2");
+  }
+});
+
 test("an edit can be undone", async ({ page }) => {
   await open(page);
   const before = await text(page);

@@ -7,6 +7,7 @@ import {
   markSolved,
   offerLessons,
   openHints,
+  takeProgress,
 } from "../src/store/lessons.js";
 import { ownProgram } from "../src/store/own_program.js";
 import { stubStorage } from "./storage.js";
@@ -45,4 +46,15 @@ test("progress and hints are kept", () => {
   offerLessons([lessonOf("a")]);
   expect([...lessons.solved.value]).toEqual(["a", "b"]);
   expect(lessons.openHints.value).toEqual({ a: 2 });
+});
+
+test("what was solved in another tab is solved here, too", () => {
+  stubStorage({ solved: ["a"] });
+  offerLessons([lessonOf("a"), lessonOf("b"), lessonOf("c")]);
+  markSolved("b");
+  takeProgress("solved", ["a", "c", 7]);
+  takeProgress("hints", ["x"]);
+  expect([...lessons.solved.value]).toEqual(["a", "b", "c"]);
+  takeProgress("linked", [lessonOf("x")]);
+  expect(lessonNamed("x")?.id).toBe("x");
 });

@@ -13,6 +13,7 @@ import {
   resetProgram,
   showFile,
   source,
+  takeFromElsewhere,
 } from "../src/store/source.js";
 import { stubStorage } from "./storage.js";
 
@@ -120,4 +121,38 @@ test("whoever follows a lesson and its files sees both at once", () => {
   openLesson(lesson);
   stop();
   expect(seen).toEqual([true, true]);
+});
+
+test("what another tab edits comes beside the open program", () => {
+  stubStorage();
+  openLesson(lesson);
+  edit("a.c", "mine");
+  const before = source.project.value;
+  expect(source.isElsewhere.value).toBe(false);
+  const theirs = { "a.c": "theirs", "a.toml": "task" };
+  takeFromElsewhere("shelf.first", { open: 0, programs: [theirs] });
+  expect(source.isElsewhere.value).toBe(true);
+  expect(source.shelf.value).toEqual({
+    open: 1,
+    programs: [theirs, { "a.c": "mine", "a.toml": "task" }],
+  });
+  // What is on the card was not edited.
+  expect(source.project.value).toBe(before);
+  edit("a.c", "mine, too");
+  openLesson(ownProgram);
+  expect(source.isElsewhere.value).toBe(false);
+  openLesson(lesson);
+  expect(source.shelf.value.programs.map((files) => files["a.c"])).toEqual(["theirs", "mine, too"]);
+});
+
+test("another tab with the same text, another lesson or nonsense changes nothing", () => {
+  stubStorage();
+  openLesson(lesson);
+  const { value: shelf } = source.shelf;
+  takeFromElsewhere("shelf.other", { open: 0, programs: [{ "a.c": "theirs" }] });
+  takeFromElsewhere("shelf.first", { open: "x" });
+  takeFromElsewhere("shelf.first", undefined);
+  expect(source.shelf.value).toBe(shelf);
+  takeFromElsewhere("shelf.first", shelf);
+  expect(source.shelf.value).toEqual(shelf);
 });

@@ -6,6 +6,7 @@ import { type Notice, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
 import { keeps } from "../store/keep.js";
 import { showWarnings } from "../store/layout.js";
+import { source } from "../store/source.js";
 import type { Texts } from "../texts/en.js";
 import { number, texts } from "../texts/texts.js";
 
@@ -94,6 +95,7 @@ export function StatusLine() {
       </span>
       {session.choice.value !== "" && <span class="tag">{t.choice(session.choice.value)}</span>}
       {state?.follows_schedule && <span class="tag">{t.follows}</span>}
+      {source.isElsewhere.value && <span class="tag warning">{t.elsewhere}</span>}
       {!keeps.value && <span class="tag bad">{t.notKept}</span>}
       <span class="grow" />
       {state && (

@@ -28,3 +28,12 @@ export function keep(key: string, value: unknown): void {
     change({ keeps: false });
   }
 }
+
+/** Tells what other tabs of this browser keep from now on. */
+export function listenToOtherTabs(take: (key: string, value: unknown) => void): void {
+  window.addEventListener("storage", ({ key, newValue }) => {
+    if (!key?.startsWith(prefix) || newValue === null) return;
+    const name = key.slice(prefix.length);
+    take(name, kept(name));
+  });
+}

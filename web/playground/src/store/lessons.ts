@@ -71,3 +71,12 @@ export function openHints(id: string, count: number): void {
   change({ openHints: { ...lessons.openHints.peek(), [id]: count } });
   keep("hints", lessons.openHints.peek());
 }
+
+/** Another tab has kept this: what was solved there is solved here, too. */
+export function takeProgress(key: string, value: unknown): void {
+  if (key === "solved") {
+    const theirs = salvaged(isSolvedLessons, value) ?? [];
+    change({ solved: new Set([...lessons.solved.peek(), ...theirs]) });
+  }
+  if (key === "linked") change({ linked: readLinked(salvaged(isLinkedLessons, value) ?? []) });
+}

@@ -26,6 +26,8 @@ interface Source {
   file: string;
   /** Grows when the editor must show other texts than those typed into it. */
   opened: number;
+  /** Another tab has edited this lesson, too. */
+  isElsewhere: boolean;
 }
 
 const [state, change] = slice<Source>({
@@ -33,6 +35,7 @@ const [state, change] = slice<Source>({
   shelf: { open: 0, programs: [ownProgram.files] },
   file: ownProgram.program,
   opened: 0,
+  isElsewhere: false,
 });
 
 const files = computed(() => openFiles(state.shelf.value));
@@ -61,6 +64,7 @@ function show(lesson: Lesson, shelf: Shelf, file: string): void {
     shelf,
     file: isThere ? file : lesson.program,
     opened: source.opened.peek() + 1,
+    isElsewhere: source.isElsewhere.peek() && lesson.id === source.lesson.peek().id,
   });
 }
 
@@ -113,4 +117,18 @@ export function edit(name: string, text: string): void {
   const shelf = withText(source.shelf.peek(), name, text);
   change({ shelf });
   keep(`shelf.${source.lesson.peek().id}`, shelf);
+}
+
+/** Another tab has kept this. Its programs come onto the shelf beside the one that is open here. */
+export function takeFromElsewhere(key: string, value: unknown): void {
+  if (key !== `shelf.${source.lesson.peek().id}`) return;
+  const theirs = readShelf(value);
+  if (!theirs) return;
+  const mine = files.peek();
+  const { open, programs } = withProgram(theirs, mine);
+  change({
+    // The same object: what is on the card has not been edited.
+    shelf: { open, programs: programs.map((each, index) => (index === open ? mine : each)) },
+    isElsewhere: true,
+  });
 }

@@ -91,6 +91,7 @@ export const en = {
       `The simulated card cannot be started (${why}). The texts are kept; reload the page to try again.`,
     noRecords: (why: string) =>
       `Records of hosts cannot be opened (${why}). What was on the card is still there; try again later.`,
+    elsewhere: "Edited in another tab, too: both texts are kept, each as a program of its own.",
     notKept: "This browser keeps nothing: share a link, or the text is lost when the page closes.",
   },
 
