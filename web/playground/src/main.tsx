@@ -17,8 +17,9 @@ import { takeFromElsewhere } from "./store/source.js";
 import { texts } from "./texts/texts.js";
 
 import "uplot/dist/uPlot.min.css";
-import "./style/base.css";
-import "./style/layout.css";
+import "./style/tokens.css";
+import "./style/elements.css";
+import "./style/frame.css";
 import "./style/parts.css";
 
 keepSettings(navigator.language);

@@ -85,7 +85,7 @@ export function StatusLine() {
       <span class={`status-text ${tone}`} role="status" aria-live="polite">
         {text}
       </span>
-      {isEdited.value && state && <span class="tag accent">{t.edited}</span>}
+      {isEdited.value && state && <span class="tag">{t.edited}</span>}
       <span aria-live="polite">
         {warnings > 0 && (
           <button type="button" class="tag warning" onClick={showWarnings}>

@@ -39,33 +39,44 @@ const colours = HighlightStyle.define([
   { tag: [tags.processingInstruction, tags.macroName], color: "var(--code-keyword)" },
 ]);
 
+/** The line that a thread executes next has its colours; those of the page are not seen in here. */
+function threadColours(): Record<string, Record<string, string>> {
+  const all = Array.from({ length: 8 }, (_, index) => index);
+  return Object.fromEntries(
+    all.map((index) => [
+      `.t${index}`,
+      { "--thread": `var(--t${index})`, "--wash": `var(--w${index})` },
+    ]),
+  );
+}
+
 const look = EditorView.theme({
-  "&": { height: "100%", color: "var(--text)", backgroundColor: "var(--surface)" },
-  ".cm-scroller": { fontFamily: "var(--mono)", fontSize: "13px", lineHeight: "1.5" },
-  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
-  ".cm-content": { caretColor: "var(--text)", padding: "6px 0" },
-  ".cm-cursor": { borderLeftColor: "var(--text)" },
+  "&": { height: "100%", color: "var(--ink)", backgroundColor: "var(--surface)" },
+  ".cm-scroller": { fontFamily: "var(--mono)", fontSize: "13px", lineHeight: "21px" },
+  "&.cm-focused": { outline: "2px solid var(--focus)", outlineOffset: "-2px" },
+  ".cm-content": { caretColor: "var(--ink)", padding: "6px 0" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
   ".cm-gutters": {
     backgroundColor: "var(--surface)",
     color: "var(--muted)",
     border: "none",
-    borderRight: "1px solid var(--line)",
   },
-  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--active-line)" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--well)" },
   ".cm-selectionBackground, &.cm-focused .cm-selectionBackground": {
     background: "var(--selection) !important",
   },
   ".cm-next": {
-    backgroundColor: "var(--next-line) !important",
-    boxShadow: "inset 3px 0 var(--accent)",
+    backgroundColor: "var(--wash, var(--raised)) !important",
+    boxShadow: "inset 3px 0 var(--thread)",
   },
-  ".cm-linked": { backgroundColor: "var(--linked-line)" },
+  ...threadColours(),
+  ".cm-linked": { backgroundColor: "var(--raised)" },
   ".cm-tooltip": {
     backgroundColor: "var(--raised)",
-    color: "var(--text)",
-    border: "1px solid var(--line-strong)",
+    color: "var(--ink)",
+    border: "1px solid var(--edge)",
   },
-  ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--text)" },
+  ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--ink)" },
   ".cm-breakpoints .cm-gutterElement": { minWidth: "24px", textAlign: "center" },
   ".cm-breakpoints .cm-gutterElement, .cm-lineNumbers .cm-gutterElement": { cursor: "pointer" },
   ".cm-breakpoint": { color: "var(--bad)", display: "block", textAlign: "center" },
@@ -81,8 +92,8 @@ const look = EditorView.theme({
   ".cm-tooltip.cm-tooltip-autocomplete > ul": { fontFamily: "var(--mono)", fontSize: "13px" },
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li": { padding: "2px 8px", lineHeight: "20px" },
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": {
-    backgroundColor: "var(--accent)",
-    color: "var(--on-accent)",
+    backgroundColor: "var(--ink)",
+    color: "var(--on-ink)",
   },
   ".cm-completionDetail": { color: "var(--muted)", fontStyle: "normal" },
   "li[aria-selected] .cm-completionDetail": { color: "inherit" },

@@ -43,8 +43,10 @@ function markedLines(): MarkedLines {
   const next = isLoaded
     ? (present.state.value?.threads ?? []).filter(({ state }) => state === "running")
     : [];
-  const lines = new Set(next.map(({ line }) => line));
-  const marked = [...lines].map((line) => ({ line, class: "cm-next" }));
+  // Where several threads stand at a line, it has the colours of the first one.
+  const lines = new Map<number, number>();
+  for (const { line, thread } of next) if (!lines.has(line)) lines.set(line, thread);
+  const marked = [...lines].map(([line, thread]) => ({ line, class: `cm-next t${thread % 8}` }));
   if (isLoaded && !lines.has(layout.chosenLine.value)) {
     marked.push({ line: layout.chosenLine.value, class: "cm-linked" });
   }
@@ -259,7 +261,7 @@ function Code() {
     editor?.breakpoints(breakpoints);
   }, [breakpoints, name, number]);
   const marked = markedLines();
-  const shownLine = marked.find(({ class: kind }) => kind === "cm-next")?.line ?? 0;
+  const shownLine = marked.find(({ class: kind }) => kind.startsWith("cm-next"))?.line ?? 0;
   useLayoutEffect(() => {
     editor?.mark(marked);
   }, [JSON.stringify(marked), name, number]);

@@ -24,14 +24,14 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
   const arrow = Math.sign(axis.velocity) * (8 + speed * 52);
   const flags = [
     [axis.servoOn ? t.servo : t.off, axis.servoOn ? "good" : ""],
-    ...(axis.moving ? [[t.moving, "accent"]] : []),
+    ...(axis.moving ? [[t.moving, "now"]] : []),
     ...(axis.alarm ? [[t.alarm, "bad"]] : []),
     ...(axis.followingError ? [[t.followingError, "bad"]] : []),
   ];
   const position = positionNumber(axis);
   const velocity = number(axis.velocity, 2);
   return (
-    <div class="stage">
+    <div class={`stage a${(axis.axis - 1) % 8}`}>
       <div class="row">
         <strong>{t.axis(axis.axis)}</strong>
         {flags.map(([text, kind]) => (

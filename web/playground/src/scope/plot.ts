@@ -74,7 +74,7 @@ export class Plot {
       stroke: colour("--muted"),
       grid: { stroke: colour("--line"), width: 1 },
       ticks: { show: false },
-      font: "11px system-ui, sans-serif",
+      font: `11px ${colour("--sans")}`,
     };
     return {
       width,
@@ -131,9 +131,9 @@ export class Plot {
       ctx.restore();
     };
     const { cursors, trigger } = this.#marks;
-    if (trigger !== undefined) line(trigger, colour("--warning"), [2, 3], "T");
+    if (trigger !== undefined) line(trigger, colour("--warn"), [2, 3], "T");
     cursors.forEach((time, index) => {
-      line(time, colour("--text"), [5, 3], index === 0 ? "A" : "B");
+      line(time, colour("--ink"), [5, 3], index === 0 ? "A" : "B");
     });
   }
 
@@ -160,7 +160,7 @@ export class Plot {
     context.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     [heading, ...legend].forEach((text, index) => {
-      context.fillStyle = index === 0 ? colour("--text") : channelColour(index - 1);
+      context.fillStyle = index === 0 ? colour("--ink") : channelColour(index - 1);
       context.fillText(text, line / 2, (index + 0.75) * line);
     });
     context.drawImage(canvas, 0, top);
