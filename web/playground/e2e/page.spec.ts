@@ -8,6 +8,7 @@ import {
   atMaximum,
   editor,
   expectAccessible,
+  fromMenu,
   open,
   openOwn,
   runUnpowered,
@@ -113,9 +114,50 @@ for (const colorScheme of ["light", "dark"] as const) {
 
 test("the colours can be chosen", async ({ page }) => {
   await open(page);
-  await page.getByRole("button", { name: "Colours: system" }).click();
-  await page.getByRole("button", { name: "Colours: light" }).click();
+  await fromMenu(page, "Colours: system");
+  await fromMenu(page, "Colours: light");
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+});
+
+test("the menu of the bar is walked through with keys", async ({ page }) => {
+  await open(page);
+  const button = page.getByRole("button", { name: "More" });
+  const items = page.getByRole("menuitem");
+  await button.press("Enter");
+  await expect(items).toHaveText(["Open…", "Make a lesson", "Keys", "Colours: system"]);
+  await expect(items.first()).toBeFocused();
+  await page.keyboard.press("ArrowUp");
+  await expect(items.last()).toBeFocused();
+  await expectAccessible(page);
+  await page.keyboard.press("Escape");
+  await expect(items).toHaveCount(0);
+  await expect(button).toBeFocused();
+  await button.click();
+  await page.mouse.click(400, 500);
+  await expect(items).toHaveCount(0);
+  await fromMenu(page, "Keys");
+  await expect(page.getByRole("dialog", { name: "Keys" })).toBeVisible();
+});
+
+test("the clock says what the card does, and a note only what is more", async ({ page }) => {
+  await open(page);
+  const clock = page.locator(".clock");
+  await expect(clock).toContainText("ready · moment 0 of 0");
+  const bar = await page.locator("main").boundingBox();
+  expect(bar?.y).toBeLessThanOrEqual(60);
+  await openOwn(page);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(clock).toContainText("2500 ms");
+  await expect(clock).toContainText("at the end · moment");
+  await page.getByRole("button", { name: "Step back" }).click();
+  await expect(clock).toContainText("ready · moment");
+  await write(page, "int a[3];\nint main()\n{\n  int i;\n  i = 7;\n  a[i] = 1;\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(clock).toContainText("failed · moment");
+  await expect(status(page)).toContainText("fault of thread 0");
+  expect((await status(page).boundingBox())?.height).toBeGreaterThan(10);
 });
 
 for (const locale of ["en-US", "zh-CN"]) {
@@ -174,8 +216,25 @@ for (const width of [360, 390]) {
       expect(wide, name).toBeLessThanOrEqual(0);
     }
     const bar = await page.locator(".toolbar").boundingBox();
-    expect(bar?.height).toBeLessThan(130);
+    expect(bar?.height).toBeLessThan(100);
     await expectAccessible(page);
+  });
+
+  test(`a run and an exploration on a phone of ${width} pixels come into sight`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height: 780 });
+    await open(page, "#lesson=lost-update");
+    const run = page.getByRole("button", { name: "Run", exact: true });
+    expect((await run.boundingBox())?.height).toBeGreaterThanOrEqual(48);
+    await run.click();
+    await expect(page.locator("#machine")).toBeVisible();
+    await page.getByRole("button", { name: "Explore" }).click();
+    await expect(page.locator(".verdict")).toContainText("Failed");
+    const verdict = await page.locator(".verdict").boundingBox();
+    const transport = await page.locator(".transport").boundingBox();
+    if (!verdict || !transport) throw new Error("there is no verdict");
+    expect(verdict.y + verdict.height).toBeLessThanOrEqual(transport.y);
   });
 
   test(`card statements and their words fit into ${width} pixels`, async ({ page }) => {

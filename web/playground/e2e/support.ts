@@ -42,6 +42,12 @@ export async function openOwn(page: Page): Promise<void> {
   await expect(status(page)).toHaveText("Card ready.");
 }
 
+/** Chooses what the menu of the bar has. */
+export async function fromMenu(page: Page, name: string): Promise<void> {
+  await page.getByRole("button", { name: "More" }).click();
+  await page.getByRole("menuitem", { name }).click();
+}
+
 export function editor(page: Page): Locator {
   return page.getByRole("textbox", { name: /^Text of|的文本$/ });
 }

@@ -2,7 +2,7 @@
 
 import { expect, test } from "@playwright/test";
 
-import { editor, expectAccessible, open, openOwn, status, write } from "./support.js";
+import { editor, expectAccessible, fromMenu, open, openOwn, status, write } from "./support.js";
 
 test("a lesson is written, and a student solves it", async ({ page, browser }) => {
   await open(page);
@@ -12,7 +12,7 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   await write(page, 'program = "program.c"\nexpect = ["x == 3"]\n');
   await expect(page.getByText("No messages")).toBeVisible();
 
-  await page.getByRole("button", { name: "Make a lesson" }).click();
+  await fromMenu(page, "Make a lesson");
   const dialog = page.getByRole("dialog", { name: "Make a lesson of this program" });
   await expect(dialog.getByRole("status")).toContainText("title.en the text is empty");
   const link = dialog.getByRole("textbox", { name: "Link" });
@@ -43,6 +43,6 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   await dialog.getByRole("button", { name: "Close" }).click();
   await page.reload();
   await expect(status(page)).toHaveText("Card ready.");
-  await page.getByRole("button", { name: "Make a lesson" }).click();
+  await fromMenu(page, "Make a lesson");
   await expect(dialog.getByLabel("Title")).toHaveValue("Three");
 });

@@ -1,6 +1,13 @@
 import { expect, test } from "vitest";
 
-import { chooseLine, layout, showLine, showPanel, showWarnings } from "../src/store/layout.js";
+import {
+  chooseLine,
+  layout,
+  showLine,
+  showPanel,
+  showRun,
+  showWarnings,
+} from "../src/store/layout.js";
 
 test("a line that is shown is chosen, and brings the program to the front", () => {
   showPanel("machine");
@@ -32,4 +39,17 @@ test("the warnings are shown with the keyboard in their list", () => {
   showWarnings();
   expect([layout.front.value, layout.tab.value]).toEqual(["values", "warnings"]);
   expect(layout.listWishes.value).toBe(before + 1);
+});
+
+test("a run comes to the front where nothing of the card is there", () => {
+  for (const [before, after] of [
+    ["lesson", "machine"],
+    ["program", "machine"],
+    ["scope", "scope"],
+    ["timeline", "timeline"],
+  ] as const) {
+    showPanel(before);
+    showRun();
+    expect(layout.front.value).toBe(after);
+  }
 });

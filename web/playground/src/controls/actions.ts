@@ -1,10 +1,11 @@
 // What the reader can do with the card, and the keys for it: buttons and keys do the same.
 
 import { checkTask, explore } from "../lesson/checks.js";
+import { showVerdict } from "../lesson/verdict.js";
 import { bench, session } from "../session/bench.js";
 import { ready, toggleBreakpoint } from "../session/on_card.js";
 import { record } from "../session/record.js";
-import { layout } from "../store/layout.js";
+import { layout, showPanel, showRun } from "../store/layout.js";
 import { changeSpeed } from "../store/settings.js";
 
 async function whenReady(action: () => Promise<void>): Promise<void> {
@@ -14,7 +15,12 @@ async function whenReady(action: () => Promise<void>): Promise<void> {
 export const actions = {
   run: () => {
     if (session.running.peek() && session.notice.peek().kind === "running") bench.pause();
-    else void whenReady(() => bench.run());
+    else {
+      void whenReady(() => {
+        showRun();
+        return bench.run();
+      });
+    }
   },
   start: () => void whenReady(() => bench.goTo({ moment: 0 })),
   step: () => void whenReady(() => bench.stepStatement()),
@@ -28,9 +34,14 @@ export const actions = {
     changeSpeed(1);
   },
   explore: () => {
-    if (!record.peek()) void explore();
+    if (record.peek()) return;
+    showPanel("lesson"); // it says what is found
+    void explore().then(showVerdict);
   },
-  check: () => void checkTask(),
+  check: () => {
+    showPanel("lesson");
+    void checkTask().then(showVerdict);
+  },
   breakpoint: () => {
     const line = layout.chosenLine.peek();
     if (line > 0) toggleBreakpoint(line);

@@ -1,4 +1,5 @@
-// The status line: what the card does, or why it has stopped, in words.
+// The status line: what the card does, or why it has stopped, in words. What the clock says, too, is
+// for those who listen.
 
 import type { Stop } from "@oncard/engine";
 
@@ -8,7 +9,7 @@ import { keeps } from "../store/keep.js";
 import { showWarnings } from "../store/layout.js";
 import { source } from "../store/source.js";
 import type { Texts } from "../texts/en.js";
-import { number, texts } from "../texts/texts.js";
+import { texts } from "../texts/texts.js";
 
 type Tone = "" | "good" | "bad";
 
@@ -75,14 +76,24 @@ function noticeText(all: Texts, notice: Notice): [string, Tone] {
   }
 }
 
+/** The clock has a word for it, and there is no more to say. */
+function isInClock({ kind }: Notice, tone: Tone): boolean {
+  return ["starting", "ready", "running"].includes(kind) || tone === "good";
+}
+
 export function StatusLine() {
   const { status: t } = texts.value;
   const [text, tone] = noticeText(texts.value, session.notice.value);
   const state = present.state.value;
   const warnings = state?.warnings.length ?? 0;
+  const isSaid = isInClock(session.notice.value, tone);
   return (
     <div class="status">
-      <span class={`status-text ${tone}`} role="status" aria-live="polite">
+      <span
+        class={`status-text ${tone} ${isSaid ? "visually-hidden" : ""}`}
+        role="status"
+        aria-live="polite"
+      >
         {text}
       </span>
       {isEdited.value && state && <span class="tag">{t.edited}</span>}
@@ -97,12 +108,6 @@ export function StatusLine() {
       {state?.follows_schedule && <span class="tag">{t.follows}</span>}
       {source.isElsewhere.value && <span class="tag warning">{t.elsewhere}</span>}
       {!keeps.value && <span class="tag bad">{t.notKept}</span>}
-      <span class="grow" />
-      {state && (
-        <output class="muted small" aria-live="off">
-          {t.at(number(state.time_ms), state.moment, state.head)}
-        </output>
-      )}
     </div>
   );
 }

@@ -1,5 +1,6 @@
-// The bar at the top: run control, speed, explore, share, language and colours.
+// The bar at the top: transport, speed, clock, explore, share, language, and a menu for the rest.
 
+import type { Ref } from "preact";
 import { useRef, useState } from "preact/hooks";
 
 import { verdict } from "../lesson/checks.js";
@@ -18,6 +19,8 @@ import {
 } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
 import { type Action, actions, ariaKeys, keyText } from "./actions.js";
+import { Clock } from "./clock.js";
+import { Menu } from "./menu.js";
 
 /** Drawings of 16 × 16. */
 const icons = {
@@ -51,8 +54,7 @@ function Tool({
       <svg viewBox="0 0 16 16" aria-hidden="true">
         <path d={icons[icon ?? action]} />
       </svg>
-      <span class="tool-text">{text}</span>
-      <kbd aria-hidden="true">{keyText(action)}</kbd>
+      <span class={action === "run" ? "" : "visually-hidden"}>{text}</span>
     </button>
   );
 }
@@ -62,22 +64,29 @@ export function Toolbar() {
   const [shown, setShown] = useState<"keys" | "share" | "teach" | undefined>(undefined);
   const { language, speed, theme } = settings;
   const isRunning = session.notice.value.kind === "running";
+  const input = useRef<HTMLInputElement>(null);
   const close = () => {
     setShown(undefined);
   };
   return (
     <header class="toolbar">
-      <h1>oncard</h1>
+      <h1>
+        <Logo />
+        oncard
+      </h1>
       <div class="tools" role="toolbar" aria-label={t.all}>
-        <Tool action="run" icon={isRunning ? "pause" : "run"} />
-        <Tool action="start" />
-        <Tool action="back" />
-        <Tool action="step" />
-        <Tool action="cycleBack" />
-        <Tool action="cycle" />
+        <div class="transport">
+          <Tool action="start" />
+          <Tool action="cycleBack" />
+          <Tool action="back" />
+          <Tool action="run" icon={isRunning ? "pause" : "run"} />
+          <Tool action="step" />
+          <Tool action="cycle" />
+        </div>
         <label class="knob">
-          <span>{t.speed}</span>
+          <span class="visually-hidden">{t.speed}</span>
           <select
+            title={t.speed}
             value={String(speed.value)}
             onChange={({ currentTarget }) => {
               chooseSpeed(Number(currentTarget.value));
@@ -90,6 +99,7 @@ export function Toolbar() {
             ))}
           </select>
         </label>
+        <Clock />
         <button
           type="button"
           class="tool explore"
@@ -102,11 +112,9 @@ export function Toolbar() {
             <path d="M2 7h4l4-4h4v2h-3.200l-3 3 3 3h3.200v2h-4l-4-4h-4z" />
           </svg>
           <span class="tool-text">{t.explore}</span>
-          <kbd aria-hidden="true">{keyText("explore")}</kbd>
         </button>
-        <RecordButton />
       </div>
-      <div class="row end grow">
+      <div class="row end">
         <button
           type="button"
           class="quiet"
@@ -119,24 +127,6 @@ export function Toolbar() {
         <button
           type="button"
           class="quiet"
-          onClick={() => {
-            setShown("teach");
-          }}
-        >
-          {t.teach}
-        </button>
-        <button
-          type="button"
-          class="quiet"
-          onClick={() => {
-            setShown("keys");
-          }}
-        >
-          {t.keys}
-        </button>
-        <button
-          type="button"
-          class="quiet"
           aria-label={texts.value.languageLabel}
           lang={language.value === "zh" ? "en" : "zh-CN"}
           onClick={() => {
@@ -145,16 +135,27 @@ export function Toolbar() {
         >
           {texts.value.language}
         </button>
-        <button
-          type="button"
-          class="quiet"
-          onClick={() => {
-            chooseTheme(themes[(themes.indexOf(theme.value) + 1) % themes.length] ?? "system");
-          }}
-        >
-          {texts.value.theme[theme.value]}
-        </button>
+        <Menu
+          label={t.more}
+          items={[
+            { text: t.open, title: t.openRecord, onChosen: () => input.current?.click() },
+            {
+              text: t.teach,
+              onChosen: () => {
+                setShown("teach");
+              },
+            },
+            {
+              text: t.keys,
+              onChosen: () => {
+                setShown("keys");
+              },
+            },
+            { text: texts.value.theme[theme.value], onChosen: chooseNextTheme },
+          ]}
+        />
       </div>
+      <RecordInput input={input} />
       {shown === "keys" && <KeysDialog onClose={close} />}
       {shown === "teach" && <LessonDialog onClose={close} />}
       {shown === "share" && <ShareDialog onClose={close} />}
@@ -162,34 +163,37 @@ export function Toolbar() {
   );
 }
 
-/** Opens a record that `oncard exec --record` has written. */
-function RecordButton() {
-  const { controls: t } = texts.value;
-  const input = useRef<HTMLInputElement>(null);
+function chooseNextTheme(): void {
+  const { theme } = settings;
+  chooseTheme(themes[(themes.indexOf(theme.value) + 1) % themes.length] ?? "system");
+}
+
+function Logo() {
   return (
-    <>
-      <button
-        type="button"
-        class="quiet"
-        title={t.openRecord}
-        aria-label={t.openRecord}
-        onClick={() => input.current?.click()}
-      >
-        {t.open}
-      </button>
-      <input
-        ref={input}
-        type="file"
-        accept=".calls"
-        hidden
-        aria-label={t.openRecord}
-        onChange={({ currentTarget }) => {
-          const file = currentTarget.files?.[0];
-          if (file) void file.text().then((text) => openRecord(file.name, text));
-          currentTarget.value = ""; // the same file may be chosen again
-        }}
-      />
-    </>
+    <svg class="logo" viewBox="0 0 26 26" aria-hidden="true">
+      <rect width="26" height="26" rx="7" />
+      <path d="M4.500 18h4l3.200-9.500h4L19 18" />
+      <circle cx="20" cy="18" r="3" />
+    </svg>
+  );
+}
+
+/** Opens a record that `oncard exec --record` has written. */
+function RecordInput({ input }: { input: Ref<HTMLInputElement> }) {
+  const { controls: t } = texts.value;
+  return (
+    <input
+      ref={input}
+      type="file"
+      accept=".calls"
+      hidden
+      aria-label={t.openRecord}
+      onChange={({ currentTarget }) => {
+        const file = currentTarget.files?.[0];
+        if (file) void file.text().then((text) => openRecord(file.name, text));
+        currentTarget.value = ""; // the same file may be chosen again
+      }}
+    />
   );
 }
 

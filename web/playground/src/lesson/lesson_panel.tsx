@@ -1,11 +1,12 @@
 // The lesson: the list with its progress, the text, hints that open one by one, and the check.
 
+import { actions } from "../controls/actions.js";
 import { lessonNamed, lessons, openHints } from "../store/lessons.js";
 import { ownProgram } from "../store/own_program.js";
 import { settings } from "../store/settings.js";
 import { openLesson, source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { checkTask, isSolvedNow, verdict } from "./checks.js";
+import { isSolvedNow, verdict } from "./checks.js";
 import { htmlOf } from "./markdown.js";
 import { VerdictBox } from "./verdict.js";
 
@@ -91,7 +92,7 @@ export function LessonPanel() {
             type="button"
             class="primary"
             disabled={verdict.value.kind === "busy"}
-            onClick={() => void checkTask()}
+            onClick={actions.check}
           >
             {t.check}
           </button>

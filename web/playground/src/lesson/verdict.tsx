@@ -6,6 +6,13 @@ import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
 import { stopCheck, verdict } from "./checks.js";
 
+/** Scrolls to what was said, where a screen is too low for it. */
+export function showVerdict(): void {
+  requestAnimationFrame(() => {
+    document.querySelector(".verdict")?.scrollIntoView({ block: "nearest" });
+  });
+}
+
 export function VerdictBox() {
   const { lessons: t, explore: e, controls, status } = texts.value;
   const said = verdict.value;

@@ -35,6 +35,12 @@ export function showPanel(front: Panel): void {
   change({ front });
 }
 
+/** On narrow screens: a run is watched at the machine, wherever the card is not in sight. */
+export function showRun(): void {
+  const front = layout.front.peek();
+  if (front === "lesson" || front === "program") change({ front: "machine" });
+}
+
 export function showTab(tab: Tab): void {
   change({ tab });
 }

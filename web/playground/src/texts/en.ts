@@ -38,6 +38,7 @@ export const en = {
     share: "Share",
     teach: "Make a lesson",
     keys: "Keys",
+    more: "More",
   },
   keys: {
     title: "Keys",
@@ -58,11 +59,21 @@ export const en = {
     tab: "Indent in the editor",
   },
 
+  clock: {
+    words: {
+      empty: "empty",
+      ready: "ready",
+      running: "running",
+      stopped: "stopped",
+      ended: "at the end",
+      failed: "failed",
+    },
+    moment: (moment: number, head: number) => `moment ${moment} of ${head}`,
+  },
   status: {
     starting: "The card is being started.",
     fetching: "What records of hosts need is being loaded: all families of cards.",
     ready: "Card ready.",
-    at: (ms: string, moment: number, head: number) => `${ms} ms, moment ${moment} of ${head}`,
     running: "Card running.",
     finished: "Card: finished.",
     finishedLimit: "Card: the scenario's time is over.",

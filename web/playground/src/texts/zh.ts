@@ -40,6 +40,7 @@ export const zh: Texts = {
     share: "分享",
     teach: "编写课程",
     keys: "按键",
+    more: "更多",
   },
   keys: {
     title: "按键",
@@ -60,11 +61,21 @@ export const zh: Texts = {
     tab: "在编辑器中缩进",
   },
 
+  clock: {
+    words: {
+      empty: "空",
+      ready: "就绪",
+      running: "运行中",
+      stopped: "已停住",
+      ended: "已到结束",
+      failed: "失败",
+    },
+    moment: (moment, head) => `第 ${moment} 时刻，共 ${head}`,
+  },
   status: {
     starting: "正在启动控制卡。",
     fetching: "正在载入主机记录所需的内容：所有系列的控制卡。",
     ready: "控制卡就绪。",
-    at: (ms, moment, head) => `${ms} ms，第 ${moment} 时刻，共 ${head}`,
     running: "控制卡正在运行。",
     finished: "控制卡：已结束。",
     finishedLimit: "控制卡：场景的时间已到。",
