@@ -57,9 +57,15 @@ def on_config(config):
     return config
 
 
+def has_playground(root):
+    """Whether it was built with its modules: without them it would be a page that does nothing."""
+    needed = ("index.html", "oncard.wasm", "oncard-full.wasm")
+    return all((root / PLAYGROUND / name).is_file() for name in needed)
+
+
 def playground_in(root):
     """What the page about the playground shows: the playground, or how one gets it."""
-    if not (root / PLAYGROUND / "index.html").is_file():
+    if not has_playground(root):
         return "This site was built without the playground: build it first, then the site."
     address = "../playground/index.html"
     return (
@@ -70,7 +76,7 @@ def playground_in(root):
 
 def on_post_build(config):
     root = Path(config["config_file_path"]).resolve().parent
-    if (root / PLAYGROUND / "index.html").is_file():
+    if has_playground(root):
         shutil.copytree(root / PLAYGROUND, Path(config["site_dir"]) / "playground", dirs_exist_ok=True)
 
 

@@ -57,6 +57,12 @@ class Gathering(Folder):
         hooks.on_post_build(config)
         self.assertFalse((self.root / "s").exists())
         self.write(web__playground__dist__page__index_html="<p>")
+        # Without its modules the page would do nothing.
+        self.write(web__playground__dist__page__oncard_wasm="")
+        self.assertIn("without the playground", hooks.on_page_markdown(page, config))
+        hooks.on_post_build(config)
+        self.assertFalse((self.root / "s").exists())
+        self.write(**{"web__playground__dist__page__oncard-full_wasm": ""})
         self.assertIn('<iframe src="../playground/index.html"', hooks.on_page_markdown(page, config))
         hooks.on_post_build(config)
         self.assertTrue((self.root / "s" / "playground" / "index.html").is_file())
