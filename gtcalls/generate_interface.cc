@@ -13,7 +13,8 @@
 //   generate_interface FAMILY csharp FILE               its declarations for C#
 //   generate_interface FAMILY multi-csharp FILE         the same with a card number
 //   generate_interface FAMILY markdown FILE             its page in docs/, of which each form has
-//   the head
+//                                                       the head
+//   generate_interface FAMILY markdown-zh FILE          the same in Chinese, if it has one
 //
 // The header contains every prototype once. A family can have functions with a card number, too:
 // defining GTS_MULTI_CARD before including gts.h adds `short cardNum` as the first parameter and
@@ -526,18 +527,24 @@ std::string_view SpellCallers(const Command& command) {
   return command.on_host ? "host, program" : "program";
 }
 
-void AppendRow(std::string* out, const InterfaceForm& form, const Command& command) {
+std::string Prototype(const InterfaceForm& form, const Command& command) {
   std::string prototype = std::string(command.name) + "(";
-  std::string parameters;
   for (const Parameter& parameter : ArgumentsOf(command)) {
     if (!prototype.ends_with("(")) prototype += ", ";
     prototype += DeclareParameter(parameter, form.spell);
     if (!parameter.default_text.empty()) Append(&prototype, " = {}", parameter.default_text);
+  }
+  return prototype + ")";
+}
+
+void AppendRow(std::string* out, const InterfaceForm& form, const Command& command) {
+  std::string parameters;
+  for (const Parameter& parameter : ArgumentsOf(command)) {
     const std::string description = Describe(parameter, command);
     if (description.empty()) continue;
     Append(&parameters, "{}`{}` {}", parameters.empty() ? "" : "<br>", parameter.name, description);
   }
-  Append(out, "| {} | `{})` | {} | {} | {} | {} | {} |\n", command.number, prototype,
+  Append(out, "| {} | `{}` | {} | {} | {} | {} | {} |\n", command.number, Prototype(form, command),
          SpellCallers(command),
          command.tier == Tier::kA   ? "A"
          : command.tier == Tier::kB ? "B"
@@ -565,6 +572,28 @@ std::string Markdown(const InterfaceForm& form) {
     AppendNotes(&out, form, line.topic);
     out += "| no. | command | where | tier | what it does | parameters | source |\n";
     out += "|---|---|---|---|---|---|---|\n";
+  }
+  return out;
+}
+
+std::string_view SpellCallersZh(const Command& command) {
+  if (!command.in_motion_program) return "主机";
+  return command.on_host ? "主机、程序" : "程序";
+}
+
+/// The page in Chinese; a topic without a Chinese title keeps its own.
+std::string MarkdownZh(const InterfaceForm& form) {
+  std::string out(form.page_head_zh);
+  for (const Line& line : form.catalogue.lines()) {
+    if (line.command == nullptr) {
+      const auto title = std::ranges::find(form.topics_zh, line.topic, &TopicTitle::topic);
+      Append(&out, "\n## {}\n\n", title == form.topics_zh.end() ? line.topic : title->zh);
+      out += "| 编号 | 指令 | 调用 | 功能 |\n|---|---|---|---|\n";
+      continue;
+    }
+    const Command& command = *line.command;
+    Append(&out, "| {} | `{}` | {} | {} |\n", command.number, Prototype(form, command),
+           SpellCallersZh(command), command.brief_zh);
   }
   return out;
 }
@@ -605,6 +634,7 @@ std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "csharp") return CsharpDeclarations(form, false);
   if (what == "multi-csharp") return CsharpDeclarations(form, true);
   if (what == "markdown") return Markdown(form);
+  if (what == "markdown-zh") return MarkdownZh(form);
   return {};
 }
 

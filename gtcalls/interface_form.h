@@ -17,6 +17,12 @@ struct HeaderModule {
   std::span<const std::string_view> structures;
 };
 
+/// A topic in Chinese.
+struct TopicTitle {
+  std::string_view topic;
+  std::string_view zh;
+};
+
 /// The title of a topic, or a note on the one before it.
 struct TopicLine {
   std::string_view topic;
@@ -45,6 +51,10 @@ struct InterfaceForm {
   std::span<const TopicLine> topics = {};
   /// The page of the commands up to its first topic.
   std::string_view page_head = {};
+  /// The same in Chinese, and the titles of the topics, for a page that says what each command
+  /// does.
+  std::string_view page_head_zh = {};
+  std::span<const TopicTitle> topics_zh = {};
   /// As `api`, with the type that a command returns in place of its code as the macro's argument.
   std::string_view api_returning = {};
   /// Inline functions for C++ after the prototypes: other spellings of hosts.

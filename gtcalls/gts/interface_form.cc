@@ -122,8 +122,48 @@ Every GT command of the catalogue, with the number that object files know it by.
 
 *Where*: `host`, `program` (only in motion programs) or both. *Tier*: A is in the manuals or known
 to the vendor's compiler, B in the basic public header, X a thread extension. A value outside its
-range is refused with 7; `(` and `)` are open ends.
+range is refused with 7; `(` and `)` are open ends. [中文](commands.zh-CN.md)
 )";
+
+constexpr std::string_view kPageHeadZh = R"(# 指令
+
+指令表中的每一条 GT 指令，编号与目标文件中的相同。由 `generate_interface gts markdown-zh docs/commands.zh-CN.md` 生成；请修改 `gtcalls/gts/catalogue.def`。
+
+“调用”一栏：主机、程序（只能用于运动程序），或两者皆可。参数的单位、范围与资料来源见 [Commands](commands.md)。
+)";
+
+constexpr TopicTitle kTopicsZh[] = {
+    {"Card: opening, configuration, version", "控制卡：打开、配置、版本"},
+    {"Time", "时间"},
+    {"Motion programs: host side", "运动程序：主机一侧"},
+    {"Motion programs: thread side", "运动程序：线程一侧"},
+    {"Motion programs: thread extensions", "运动程序：线程扩展"},
+    {"Digital inputs and outputs", "数字量输入输出"},
+    {"Analogue inputs and outputs", "模拟量输入输出"},
+    {"Extension modules", "扩展模块"},
+    {"User variables of the card", "控制卡的用户变量"},
+    {"Axes: enable, status, limits, stopping", "轴：使能、状态、限位、停止"},
+    {"Positions, velocities, scales", "位置、速度、当量变换"},
+    {"Encoders and pulse outputs", "编码器与脉冲输出"},
+    {"Servo controllers", "伺服控制器"},
+    {"Motion modes: point to point and jog", "运动模式：点位与 Jog"},
+    {"Motion modes: PT", "运动模式：PT"},
+    {"Motion modes: PVT", "运动模式：PVT"},
+    {"Motion modes: electronic gear", "运动模式：电子齿轮"},
+    {"Motion modes: follow", "运动模式：跟随（Follow）"},
+    {"Coordinate systems: set-up and control", "插补坐标系：建立与控制"},
+    {"Coordinate systems: lines", "插补坐标系：直线"},
+    {"Coordinate systems: arcs", "插补坐标系：圆弧"},
+    {"Coordinate systems: helices", "插补坐标系：螺旋线"},
+    {"Coordinate systems: buffered commands", "插补坐标系：缓存区指令"},
+    {"Capture, trigger, homing", "捕获、触发、回零"},
+    {"Position compare", "位置比较"},
+    {"High-speed outputs and laser", "高速输出与激光"},
+    {"Compensation, gantry, handwheel", "补偿、龙门、手轮"},
+    {"Ferroelectric memory", "铁电存储器"},
+    {"Multi-axis look-ahead", "多轴前瞻"},
+    {"Axes and I/O on an EtherCAT bus", "EtherCAT 总线上的轴与输入输出"},
+};
 
 constexpr TopicLine kTopics[] = {
 #define COMMAND(...)
@@ -164,6 +204,8 @@ const InterfaceForm& GtsInterfaceForm() {
                                       .head = kHead,
                                       .topics = kTopics,
                                       .page_head = kPageHead,
+                                      .page_head_zh = kPageHeadZh,
+                                      .topics_zh = kTopicsZh,
                                       .multi_card_prefix = "GTM_",
                                       .basic_layouts = kBasicLayouts,
                                       .wide_prefix = "GTX_",

@@ -2,9 +2,11 @@
 // and the generated documentation, compared with the one in docs/.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "vm/machine.h"
@@ -136,13 +138,25 @@ std::string ReadAll(const std::string& path) {
 }
 
 TEST(InterfaceTest, TheCommandReferencesAreUpToDate) {
-  for (const std::string page :
-       {"/commands.md", "/commands-gep.md", "/commands-ges.md", "/commands-gt400.md"}) {
+  for (const std::string page : {"/commands.md", "/commands.zh-CN.md", "/commands-gep.md",
+                                 "/commands-ges.md", "/commands-gt400.md"}) {
     const std::string generated = ReadAll(ONCARD_GENERATED_PAGES + page);
     ASSERT_FALSE(generated.empty()) << page;
     EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs" + page) == generated)
         << page << ": run `cmake --build . --target update_commands_page`";
   }
+}
+
+TEST(InterfaceTest, EveryTopicHasAChineseTitle) {
+  std::istringstream page(ReadAll(ONCARD_GENERATED_PAGES "/commands.zh-CN.md"));
+  int titles = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("## ")) continue;
+    ++titles;
+    const auto is_chinese = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+    EXPECT_TRUE(std::ranges::any_of(line, is_chinese)) << line;
+  }
+  EXPECT_EQ(titles, 30);
 }
 
 }  // namespace
