@@ -53,6 +53,7 @@ def on_config(config):
     for path in reachable(root, pages_of(config["nav"])):
         (staged / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(root / path, staged / path)
+    shutil.copyfile(Path(__file__).with_name("site.css"), staged / "site.css")
     config["docs_dir"] = str(staged)
     return config
 

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "site"))
 import check  # noqa: E402
 import chinese_search  # noqa: E402
+import command_search  # noqa: E402
 import hooks  # noqa: E402
 
 
@@ -92,6 +93,49 @@ class ChineseSearch(Folder):
         page = chinese_search.on_post_page(page)
         self.assertIn("__search", page[: page.index("</head>")])
         self.assertNotIn("trimmer", page)
+
+
+class CommandSearch(Folder):
+    TABLE = (
+        "<table><tr><td>1</td>\n<td><code>GT_A(short n)</code></td><td>host</td><td>sets &amp; starts</td>"
+        "</tr>\n<tr><td>2</td><td><code>GT_B()</code></td><td></td><td>stops</td></tr></table>"
+    )
+
+    def page(self, name, html):
+        page = SimpleNamespace(file=SimpleNamespace(src_path=name), url="docs/commands.html")
+        return command_search.on_page_content(html, page)
+
+    def test_every_command_of_a_table_is_a_place_and_an_entry(self):
+        path = self.root / "search" / "search_index.json"
+        path.parent.mkdir()
+        path.write_text(json.dumps({"docs": [{"location": "", "title": "", "text": ""}]}))
+        command_search.on_pre_build()
+        html = self.page("docs/commands.md", self.TABLE)
+        self.assertIn('<code id="GT_A">GT_A(short n)</code>', html)
+        self.assertIn('<code id="GT_B">GT_B()</code>', html)
+        self.assertEqual(self.page("docs/commands.zh-CN.md", self.TABLE), html)
+        command_search.on_post_build({"site_dir": str(self.root)})
+        entries = json.loads(path.read_text(encoding="utf-8"))["docs"][1:]
+        self.assertEqual(
+            entries,
+            [
+                {
+                    "location": "docs/commands.html#GT_A",
+                    "title": "GT_A",
+                    "text": "GT_A(short n) · host · sets & starts",
+                },
+                {
+                    "location": "docs/commands.html#GT_B",
+                    "title": "GT_B",
+                    "text": "GT_B() · stops",
+                },
+            ],
+        )
+
+    def test_other_pages_stay_as_they_are(self):
+        command_search.on_pre_build()
+        self.assertEqual(self.page("docs/limits.md", self.TABLE), self.TABLE)
+        self.assertEqual(command_search.ENTRIES, [])
 
 
 class Checking(Folder):
