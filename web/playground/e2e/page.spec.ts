@@ -309,6 +309,7 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   await expect(status(page)).toHaveText("Card: finished.");
   // 50 000 pulses.
   await expect(page.locator('output[data-axis="1"]')).toHaveText("50 mm");
+  await page.getByRole("checkbox", { name: "XY table" }).uncheck();
   await expect(page.locator(".stage").first().locator(".rail-text").last()).toHaveText("100");
   const channel = page.getByRole("group", { name: "axis1.prfVel" });
   await expect(channel.locator(".unit")).toHaveText("mm/s");
@@ -340,4 +341,55 @@ test("the address names the open lesson, and no program", async ({ page }) => {
   await expect(choice).toHaveValue("lost-update");
   await openOwn(page);
   expect(new URL(page.url()).hash).toBe("");
+});
+
+test("a stage has the switches of its scenario, and shows where the axis really is", async ({
+  page,
+}) => {
+  await open(page);
+  await openOwn(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  // The drive is off in the program below, so the axis stays where it is.
+  const limit = '[[world.switch]]\naxis = 1\ntype = "limit_positive"\nfrom = 90000\n';
+  await write(page, `program = "program.c"\nuntil_ms = 1500\n${limit}`);
+  await page.getByRole("button", { name: "program.c" }).click();
+  await write(page, "int main()\n{\n  GT_PrfJog(1);\n  GT_SetVel(1, 20);\n  GT_Update(1);\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  const stage = page.locator(".stage").first();
+  await expect(stage.locator(".switch title")).toHaveText("positive limit switch");
+  await expect(stage.locator(".rail-text").last()).toHaveText("100000");
+  await expect(stage.locator(".ghost")).toHaveCount(0);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.locator(".clock")).toContainText("1500 ms");
+  await expect(stage.locator(".ghost")).toHaveCount(1);
+  const [ghost, carriage] = [".ghost", ".carriage"].map((part) => stage.locator(part));
+  const apart = ((await ghost?.boundingBox())?.x ?? 0) - ((await carriage?.boundingBox())?.x ?? 0);
+  expect(apart).toBeGreaterThan(50);
+  await expectAccessible(page);
+});
+
+test("five axes or more have a row each", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  const moves = Array.from(
+    { length: 12 },
+    (_, index) =>
+      `  GT_AxisOn(${index + 1});\n  GT_PrfJog(${index + 1});\n  GT_SetVel(${index + 1}, ${index + 1});\n`,
+  );
+  await write(page, `int main()\n{\n${moves.join("")}  GT_Update(0xFFF);\n}\n`);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\naxes = 12\nuntil_ms = 100\n');
+  await expect(page.getByText("No messages")).toBeVisible();
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.locator(".axis-row")).toHaveCount(12);
+  await expect(page.locator(".stage")).toHaveCount(0);
+  for (const width of [1440, 390]) {
+    await page.setViewportSize({ width, height: 844 });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(wide).toBeLessThanOrEqual(0);
+  }
+  expect((await page.locator(".axis-row").first().boundingBox())?.height).toBeLessThan(60);
+  await expectAccessible(page);
 });

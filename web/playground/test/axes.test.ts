@@ -33,6 +33,30 @@ test("axes have the switches of their number", () => {
   expect(first).toMatchObject({ axis: 1, position: 0, moving: false, positiveLimit: false });
   expect(second).toMatchObject({ axis: 2, position: 500, moving: true, positiveLimit: true });
   expect(axesOf(card).map(isUsed)).toEqual([false, true]);
+  expect(second?.actual).toBe(500); // without an encoder
+});
+
+test("axes have what they are commanded, where they are, and the switches of the scenario", () => {
+  const values = [
+    { name: "prfPos", path: "axis2.prfPos", value: 500 },
+    { name: "encPos", path: "axis2.encPos", value: 480 },
+  ];
+  const at = { index: 2, active_low: false, connected: true };
+  const [axis] = axesOf({
+    ...card,
+    parts: [{ part: "axis", number: 2, values }],
+    switches: [
+      { axis: 2, type: "limit_positive", from: 450, ...at },
+      { axis: 2, type: "limit_negative", to: -20, ...at },
+      { axis: 1, type: "home", from: 0, to: 10, ...at },
+      { axis: 2, type: "home", ...at },
+    ],
+  });
+  expect(axis).toMatchObject({ position: 500, actual: 480 });
+  expect(axis?.switches).toEqual([
+    { type: "limit_positive", place: 450, on: true },
+    { type: "limit_negative", place: -20, on: false },
+  ]);
 });
 
 test("axes are shown in their units", () => {

@@ -7,7 +7,10 @@ import { number } from "../texts/texts.js";
 
 export interface AxisView {
   axis: number;
+  /** Where the profile is: what is commanded. */
   position: number;
+  /** Where the encoder says that the axis is; without one, where it is commanded to be. */
+  actual: number;
   velocity: number;
   positionUnit: string;
   velocityUnit: string;
@@ -18,6 +21,15 @@ export interface AxisView {
   positiveLimit: boolean;
   negativeLimit: boolean;
   home: boolean;
+  /** Those that the scenario has, at their places. */
+  switches: AxisSwitch[];
+}
+
+export interface AxisSwitch {
+  type: string;
+  /** In the unit of the axis. */
+  place: number;
+  on: boolean;
 }
 
 /** The ends of a stage, in the unit of its axis. */
@@ -28,6 +40,10 @@ export interface Reach {
 
 function valueOf(part: CardPart, name: string): number {
   return part.values.find((value) => value.name === name)?.value ?? 0;
+}
+
+function hasValue(part: CardPart, name: string): boolean {
+  return part.values.some((value) => value.name === name);
 }
 
 function unitOf(part: CardPart, name: string): string {
@@ -46,6 +62,7 @@ export function axesOf(card: Card): AxisView[] {
     .map((part) => ({
       axis: part.number,
       position: valueOf(part, "prfPos"),
+      actual: valueOf(part, hasValue(part, "encPos") ? "encPos" : "prfPos"),
       velocity: valueOf(part, "prfVel"),
       positionUnit: unitOf(part, "prfPos"),
       velocityUnit: unitOf(part, "prfVel"),
@@ -56,7 +73,16 @@ export function axesOf(card: Card): AxisView[] {
       positiveLimit: pin(card, "limit_positive", part.number),
       negativeLimit: pin(card, "limit_negative", part.number),
       home: pin(card, "home", part.number),
+      switches: switchesOf(card, part.number),
     }));
+}
+
+function switchesOf(card: Card, axis: number): AxisSwitch[] {
+  return card.switches.flatMap(({ axis: its, type, index, from, to }) => {
+    const place = from ?? to;
+    if (its !== axis || place === undefined) return [];
+    return [{ type, place, on: pin(card, type, index) }];
+  });
 }
 
 /** Whether a program has done something with an axis. */

@@ -1,4 +1,4 @@
-// The machine: a stage for each axis that is used, an XY table, outputs and inputs.
+// The machine: a stage or a row for each axis that is used, an XY table, outputs and inputs.
 
 import type { Card } from "@oncard/engine";
 import { computed, effect, signal } from "@preact/signals";
@@ -9,7 +9,7 @@ import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
 import { type AxisView, axesNamed, axesOf, grown, isUsed, type Reach } from "./axes.js";
 import { Pins } from "./pins.js";
-import { Stage } from "./stage.js";
+import { AxisRow, Stage } from "./stage.js";
 import { Table } from "./table.js";
 
 const reaches = signal<Map<number, Reach>>(new Map());
@@ -40,6 +40,9 @@ const shown = computed(() => {
   return numbers.size > 0 ? numbers : new Set([1]);
 });
 
+/** More axes than these have a row each. */
+const mostStages = 4;
+
 const tableIsShown = signal<boolean | undefined>(undefined);
 
 export function MachinePanel() {
@@ -48,12 +51,18 @@ export function MachinePanel() {
   if (!card) return <p class="muted empty">{t.idle}</p>;
   const axes = axesOf(card).filter(({ axis }) => shown.value.has(axis));
   const [x, y] = axes;
-  const table = (tableIsShown.value ?? axes.length === 2) && x && y;
+  // Two axes with switches of their own are rather two stages than a table.
+  const isTable = axes.length === 2 && axes.every(({ switches }) => switches.length === 0);
+  const table = (tableIsShown.value ?? isTable) && x && y;
   return (
     <div class="machine">
-      {axes.map((axis) => (
-        <Stage key={axis.axis} axis={axis} reach={reachOf(axis)} />
-      ))}
+      {axes.map((axis) =>
+        axes.length > mostStages || (table && (axis === x || axis === y)) ? (
+          <AxisRow key={axis.axis} axis={axis} reach={reachOf(axis)} />
+        ) : (
+          <Stage key={axis.axis} axis={axis} reach={reachOf(axis)} />
+        ),
+      )}
       <div class="machine-rest">
         {x && y && (
           <div class="table-box">
@@ -74,8 +83,14 @@ export function MachinePanel() {
   );
 }
 
-function reachOf({ axis, position, positionUnit }: AxisView): Reach {
-  return grown(reaches.value.get(axis), position, positionUnit);
+/** A stage also reaches as far as its axis really is, and its switches. */
+function reachOf({ axis, position, actual, switches, positionUnit }: AxisView): Reach {
+  const places = [position, actual, ...switches.map(({ place }) => place)];
+  const reach = reaches.value.get(axis);
+  return places.reduce<Reach>(
+    (before, place) => grown(before, place, positionUnit),
+    grown(reach, position, positionUnit),
+  );
 }
 
 function Words({ card }: { card: Card }) {

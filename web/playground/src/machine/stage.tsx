@@ -1,4 +1,6 @@
-// A linear stage: a carriage between two limit switches, with an arrow as long as it is fast.
+// A linear stage: motor, screw and rail, and a carriage where the axis is; where it is commanded to be,
+// a dashed one if that is elsewhere. Switches stand at their places. Where there are many axes, each
+// has a row.
 
 import { number, texts } from "../texts/texts.js";
 import {
@@ -10,82 +12,142 @@ import {
   roundUp,
 } from "./axes.js";
 
-const width = 400;
-const left = 18;
-const right = width - 18;
+const width = 560;
+const left = 62;
+const right = width - 42;
+/** Marks of the scale, every other one with its number. */
+const marks = Array.from({ length: 11 }, (_, index) => index / 10);
+
+/** States of an axis in words, each with its tone. */
+function statesOf(axis: AxisView): [string, string][] {
+  const { machine: t } = texts.value;
+  return [
+    [axis.servoOn ? t.servo : t.off, axis.servoOn ? "good" : ""],
+    ...(axis.moving ? ([[t.moving, "now"]] as [string, string][]) : []),
+    ...(axis.alarm ? ([[t.alarm, "bad"]] as [string, string][]) : []),
+    ...(axis.followingError ? ([[t.followingError, "bad"]] as [string, string][]) : []),
+    ...(axis.positiveLimit ? ([[t.positiveOn, "bad"]] as [string, string][]) : []),
+    ...(axis.negativeLimit ? ([[t.negativeOn, "bad"]] as [string, string][]) : []),
+  ];
+}
+
+function Readings({ axis }: { axis: AxisView }) {
+  return (
+    <>
+      <output class="reading" data-axis={axis.axis}>
+        {positionNumber(axis)}
+        <small> {axis.positionUnit}</small>
+      </output>
+      <output class="reading">
+        {number(axis.velocity, 2)}
+        <small> {axis.velocityUnit}</small>
+      </output>
+    </>
+  );
+}
+
+function labelOf(axis: AxisView): string {
+  const velocity = `${number(axis.velocity, 2)} ${axis.velocityUnit}`;
+  return texts.value.machine.stage(axis.axis, positionText(axis), velocity);
+}
+
+function colourOf(axis: number): string {
+  return `a${(axis - 1) % 8}`;
+}
+
+/** Whether profile and encoder are so far apart that one sees it. */
+function isApart(axis: AxisView, reach: Reach): boolean {
+  return Math.abs(placeOn(reach, axis.position) - placeOn(reach, axis.actual)) > 0.002;
+}
 
 export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
   const { machine: t } = texts.value;
-  const at = left + 14 + placeOn(reach, axis.position) * (right - left - 28);
-  const speed = Math.min(
-    1,
-    Math.abs(axis.velocity) / roundUp(Math.max(100, Math.abs(axis.velocity))),
-  );
-  const arrow = Math.sign(axis.velocity) * (8 + speed * 52);
-  const flags = [
-    [axis.servoOn ? t.servo : t.off, axis.servoOn ? "good" : ""],
-    ...(axis.moving ? [[t.moving, "now"]] : []),
-    ...(axis.alarm ? [[t.alarm, "bad"]] : []),
-    ...(axis.followingError ? [[t.followingError, "bad"]] : []),
-  ];
-  const position = positionNumber(axis);
-  const velocity = number(axis.velocity, 2);
+  const onRail = (position: number) => left + placeOn(reach, position) * (right - left);
+  const at = onRail(axis.actual);
+  const commanded = onRail(axis.position);
+  const fast = Math.abs(axis.velocity);
+  const arrow =
+    Math.sign(axis.velocity) * (8 + Math.min(1, fast / roundUp(Math.max(100, fast))) * 52);
   return (
-    <div class={`stage a${(axis.axis - 1) % 8}`}>
+    <div class={`stage ${colourOf(axis.axis)}`}>
       <div class="row">
         <strong>{t.axis(axis.axis)}</strong>
-        {flags.map(([text, kind]) => (
+        {statesOf(axis).map(([text, kind]) => (
           <span key={text} class={`tag ${kind}`}>
             {text}
           </span>
         ))}
         <span class="grow" />
-        <output class="reading" data-axis={axis.axis}>
-          {position}
-          <small> {axis.positionUnit}</small>
-        </output>
-        <output class="reading">
-          {velocity}
-          <small> {axis.velocityUnit}</small>
-        </output>
+        <Readings axis={axis} />
       </div>
-      <svg
-        viewBox={`0 0 ${width} 40`}
-        role="img"
-        aria-label={t.stage(axis.axis, positionText(axis), `${velocity} ${axis.velocityUnit}`)}
-        class="rail"
-      >
-        <rect x={left} y="24" width={right - left} height="4" class="rail-bed" />
-        {[0, 0.25, 0.5, 0.75, 1].map((part) => {
-          const x = left + 14 + part * (right - left - 28);
-          return <line key={part} x1={x} x2={x} y1="28" y2="32" class="rail-tick" />;
+      <svg viewBox={`0 0 ${width} 64`} role="img" aria-label={labelOf(axis)} class="rail">
+        <rect x="2" y="14" width="24" height="24" rx="3" class="motor" />
+        <rect x="26" y="21" width="6" height="10" class="rail-bed" />
+        <line
+          x1="32"
+          x2={width - 10}
+          y1="26"
+          y2="26"
+          class="screw"
+          stroke-dashoffset={-Math.round((at % 4) * 10) / 10}
+        />
+        <rect x="32" y="34" width={width - 42} height="8" class="rail-bed" />
+        <rect x={width - 10} y="14" width="6" height="30" rx="1" class="rail-bed" />
+        {marks.map((part, index) => {
+          const x = left + part * (right - left);
+          const isLong = index % 2 === 0;
+          return (
+            <g key={part}>
+              <line x1={x} x2={x} y1="45" y2={isLong ? 51 : 48} class="rail-tick" />
+              {isLong && (
+                <text x={x} y="62" class="rail-text" text-anchor="middle">
+                  {number(reach.least + part * (reach.largest - reach.least), 1)}
+                </text>
+              )}
+            </g>
+          );
         })}
-        <Switch x={6} label={t.negative} on={axis.negativeLimit} />
-        <Switch x={width - 6} label={t.positive} on={axis.positiveLimit} />
-        <rect x={at - 13} y="12" width="26" height="12" rx="2" class="carriage" />
-        <line x1={at} x2={at} y1="24" y2="32" class="needle" />
+        {axis.switches.map(({ type, place, on }) => (
+          <g key={type} class={`switch ${on ? "on" : ""}`}>
+            <title>{t.switches[type] ?? type}</title>
+            <line x1={onRail(place)} x2={onRail(place)} y1="12" y2="34" />
+            <rect x={onRail(place) - 4} y="4" width="8" height="8" rx="2" />
+          </g>
+        ))}
+        <rect x={at - 20} y="13" width="40" height="26" rx="4" class="carriage" />
+        <path d={`M${at - 13} 22h26M${at - 13} 30h26`} class="carriage-lines" />
+        <line x1={at} x2={at} y1="39" y2="50" class="needle" />
+        {isApart(axis, reach) && (
+          <rect x={commanded - 20} y="13" width="40" height="26" rx="4" class="ghost" />
+        )}
         {axis.velocity !== 0 && (
           <path
             d={`M${at} 6h${arrow}m0 0l${-Math.sign(arrow) * 5} -3.5m${Math.sign(arrow) * 5} 3.5l${-Math.sign(arrow) * 5} 3.5`}
             class="arrow"
           />
         )}
-        <text x={left + 14} y="39" class="rail-text" text-anchor="middle">
-          {number(reach.least, 0)}
-        </text>
-        <text x={right - 14} y="39" class="rail-text" text-anchor="middle">
-          {number(reach.largest, 0)}
-        </text>
       </svg>
     </div>
   );
 }
 
-function Switch({ x, label, on }: { x: number; label: string; on: boolean }) {
+/** The same in one row: the last state, and a rail as wide as there is place. */
+export function AxisRow({ axis, reach }: { axis: AxisView; reach: Reach }) {
+  const { machine: t } = texts.value;
+  const onRail = (position: number) => 6 + placeOn(reach, position) * 188;
+  const [state = "", kind = ""] = statesOf(axis).at(-1) ?? [];
   return (
-    <g class={`switch ${on ? "on" : ""}`}>
-      <title>{label}</title>
-      <rect x={x - 4} y="16" width="8" height="14" rx="1.5" />
-    </g>
+    <div class={`axis-row ${colourOf(axis.axis)}`}>
+      <strong>{t.axis(axis.axis)}</strong>
+      <span class={`axis-state ${kind}`}>{state}</span>
+      <svg viewBox="0 0 200 16" preserveAspectRatio="none" role="img" aria-label={labelOf(axis)}>
+        <rect x="0" y="6.500" width="200" height="3" class="rail-bed" />
+        <rect x={onRail(axis.actual) - 5} y="2" width="10" height="12" class="carriage" />
+        {isApart(axis, reach) && (
+          <rect x={onRail(axis.position) - 5} y="2" width="10" height="12" class="ghost" />
+        )}
+      </svg>
+      <Readings axis={axis} />
+    </div>
   );
 }

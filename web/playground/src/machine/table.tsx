@@ -5,8 +5,8 @@ import { bench, present, session } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
 import { type AxisView, grown, placeOn, positionText, type Reach } from "./axes.js";
 
-const size = 200;
-const edge = 8;
+const size = 260;
+const edge = 10;
 const pathPoints = 300;
 
 function onTable(part: number): number {
@@ -55,7 +55,7 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
       ))}
       <line x1={atX} x2={atX} y1={edge} y2={size - edge} class="gantry" />
       <polyline points={points} class="way" />
-      <circle cx={atX} cy={atY} r="5" class="carriage" />
+      <circle cx={atX} cy={atY} r="6" class={`tool-point ${x.moving || y.moving ? "now" : ""}`} />
     </svg>
   );
 }
