@@ -393,3 +393,29 @@ test("five axes or more have a row each", async ({ page }) => {
   expect((await page.locator(".axis-row").first().boundingBox())?.height).toBeLessThan(60);
   await expectAccessible(page);
 });
+
+test("32 threads have low rows, of which one is chosen", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int f()\n{\n  int n;\n  n = 1;\n  return n;\n}\n");
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  const threads = Array.from(
+    { length: 32 },
+    (_, thread) => `[[thread]]\nthread = ${thread}\nfunction = "f"\n`,
+  );
+  await write(page, `program = "program.c"\n${threads.join("")}`);
+  await expect(page.getByText("No messages")).toBeVisible();
+  const list = page.getByRole("listbox", { name: "Threads" });
+  await expect(list.getByRole("option")).toHaveCount(32);
+  expect((await page.locator("#timeline").boundingBox())?.height).toBeLessThan(520);
+  await list.focus();
+  await page.keyboard.press("ArrowDown");
+  await expect(list.getByRole("option", { selected: true })).toContainText("1 f");
+  await list.getByRole("option").nth(31).click();
+  await page.getByRole("button", { name: "Let thread 31 execute the next statement" }).click();
+  await page.getByRole("button", { name: "Threads" }).click();
+  const executed = page.locator(".values-panel tbody tr").nth(31).locator("td").nth(3);
+  await expect(executed).toHaveText("1");
+  await page.getByRole("button", { name: "program.c" }).click();
+  await expectAccessible(page);
+});

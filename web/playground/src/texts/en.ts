@@ -174,6 +174,7 @@ export const en = {
 
   timeline: {
     label: "Timeline of the threads",
+    threads: "Threads",
     next: (thread: number) => `Let thread ${thread} execute the next statement`,
     nextShort: "next",
     cursor: "Moment of the session",

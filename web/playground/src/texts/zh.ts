@@ -170,6 +170,7 @@ export const zh: Texts = {
 
   timeline: {
     label: "线程的时间线",
+    threads: "线程",
     next: (thread) => `让线程 ${thread} 执行下一条语句`,
     nextShort: "下一个",
     cursor: "会话的时刻",

@@ -26,6 +26,10 @@ const mostTurns = 50_000;
 /** The same for states of threads. */
 const mostSpans = 20_000;
 
+/** More threads than these have low rows, of which one is chosen. */
+const mostHighRows = 8;
+const chosen = signal(0);
+
 /** Undefined: the whole run. */
 const span = signal<Span | undefined>(undefined);
 
@@ -44,7 +48,7 @@ export function TimelinePanel() {
   return (
     <div class="timeline">
       <div class="bar">
-        <output class="small muted">{t.position(state.moment, number(state.time_ms))}</output>
+        {state.threads.length > mostHighRows && <ChosenThread threads={state.threads} />}
         <div class="row end grow">
           <Zoom shown={shown} factor={0.5} label={t.zoomIn} text="+" />
           <Zoom shown={shown} factor={2} label={t.zoomOut} text="−" />
@@ -60,6 +64,19 @@ export function TimelinePanel() {
       </div>
       <Rows span={shown} />
       {state.head === 0 && <p class="muted small note">{t.none}</p>}
+    </div>
+  );
+}
+
+/** Of many threads the one that is chosen: its state, and its next statement. */
+function ChosenThread({ threads }: { threads: Thread[] }) {
+  const thread = threads.find((each) => each.thread === chosen.value) ?? threads[0];
+  if (!thread) return null;
+  return (
+    <div class="chosen-thread" title={thread.status}>
+      <ThreadName thread={thread} />
+      <span class={`lane-state ${thread.state}`}>{stateOf(thread)}</span>
+      <NextStatement thread={thread} />
     </div>
   );
 }
@@ -109,6 +126,7 @@ function Rows({ span: shown }: { span: Span }) {
       },
       session.running.value,
     ) ?? nothing;
+  const isMany = (state?.threads.length ?? 0) > mostHighRows;
   const atCursor = (moment - shown.from) / (shown.to - shown.from);
   const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));
 
@@ -119,12 +137,16 @@ function Rows({ span: shown }: { span: Span }) {
   };
   return (
     <>
-      <div class="rows" role="group" aria-label={t.label}>
-        <div class="row-heads">
-          {state?.threads.map((thread) => (
-            <RowHead key={thread.thread} thread={thread} />
-          ))}
-        </div>
+      <div class={`rows ${isMany ? "many" : ""}`} role="group" aria-label={t.label}>
+        {isMany ? (
+          <ThreadList threads={state?.threads ?? []} />
+        ) : (
+          <div class="row-heads">
+            {state?.threads.map((thread) => (
+              <RowHead key={thread.thread} thread={thread} />
+            ))}
+          </div>
+        )}
         <div
           class="track"
           ref={track}
@@ -167,7 +189,14 @@ function Rows({ span: shown }: { span: Span }) {
               event.preventDefault();
               seek(Math.min(head, Math.max(0, to)));
             }}
-          />
+          >
+            <span
+              class={`now-pill ${atCursor > 0.9 ? "at-end" : atCursor < 0.1 ? "at-start" : ""}`}
+              aria-hidden="true"
+            >
+              {number(state?.time_ms ?? 0)} ms
+            </span>
+          </div>
         </div>
       </div>
       {isCut && <p class="muted small note">{t.cut}</p>}
@@ -175,33 +204,95 @@ function Rows({ span: shown }: { span: Span }) {
   );
 }
 
-function RowHead({ thread }: { thread: Thread }) {
+function stateOf({ state, waits }: Thread): string {
   const { timeline: t } = texts.value;
-  const { thread: number_, function: name, ready } = thread;
-  const state =
-    thread.state === "faulted"
-      ? t.fault
-      : thread.state === "finished"
-        ? t.ended
-        : thread.waits
-          ? t.waits
-          : "";
+  if (state === "faulted") return t.fault;
+  if (state === "finished") return t.ended;
+  return waits ? t.waits : "";
+}
+
+function ThreadName({ thread: { thread, function: name } }: { thread: Thread }) {
+  return (
+    <span class={`thread-name t${thread % 8}`}>
+      {thread} {name}
+    </span>
+  );
+}
+
+function NextStatement({ thread: { thread, ready } }: { thread: Thread }) {
+  const { timeline: t } = texts.value;
+  return (
+    <button
+      type="button"
+      class="quiet"
+      disabled={!ready}
+      aria-label={t.next(thread)}
+      title={t.next(thread)}
+      onClick={() => void bench.stepThread(thread)}
+    >
+      {t.nextShort}
+    </button>
+  );
+}
+
+function RowHead({ thread }: { thread: Thread }) {
+  const state = stateOf(thread);
   return (
     <div class="row-head" title={thread.status}>
-      <span class={`thread-name t${number_ % 8}`}>
-        {number_} {name}
-      </span>
+      <ThreadName thread={thread} />
       {state !== "" && <span class={`lane-state ${thread.state}`}>{state}</span>}
-      <button
-        type="button"
-        class="quiet"
-        disabled={!ready}
-        aria-label={t.next(number_)}
-        title={t.next(number_)}
-        onClick={() => void bench.stepThread(number_)}
-      >
-        {t.nextShort}
-      </button>
+      <NextStatement thread={thread} />
+    </div>
+  );
+}
+
+/** The heads of low rows: one list, in which the pointer or the arrows choose. */
+function ThreadList({ threads }: { threads: Thread[] }) {
+  const { timeline: t } = texts.value;
+  const at = Math.max(
+    0,
+    threads.findIndex(({ thread }) => thread === chosen.value),
+  );
+  const choose = (index: number) => {
+    const thread = threads[Math.min(threads.length - 1, Math.max(0, index))];
+    if (thread) chosen.value = thread.thread;
+  };
+  return (
+    <div
+      class="row-heads"
+      role="listbox"
+      tabIndex={0}
+      aria-label={t.threads}
+      aria-activedescendant={`thread-${threads[at]?.thread ?? 0}`}
+      onKeyDown={(event) => {
+        const steps: Record<string, number> = {
+          ArrowUp: at - 1,
+          ArrowDown: at + 1,
+          Home: 0,
+          End: threads.length,
+        };
+        const to = steps[event.key];
+        if (to === undefined) return;
+        event.preventDefault();
+        choose(to);
+      }}
+    >
+      {threads.map((thread, index) => (
+        <div
+          key={thread.thread}
+          id={`thread-${thread.thread}`}
+          role="option"
+          aria-selected={index === at}
+          class="row-head"
+          title={thread.status}
+          onClick={() => {
+            choose(index);
+          }}
+        >
+          <ThreadName thread={thread} />
+          <span class={`lane-state ${thread.state}`}>{stateOf(thread)}</span>
+        </div>
+      ))}
     </div>
   );
 }
