@@ -177,6 +177,19 @@ test("breakpoints go to statements of what is loaded, and wait for what is edite
   expect(session.breakpoints.value).toEqual([5]);
 });
 
+test("a run waits for a breakpoint that was just set", async () => {
+  const engine = await bench.engine();
+  const set = engine.setStops.bind(engine);
+  const late = vi.spyOn(engine, "setStops").mockImplementation(async (wishes) => {
+    await new Promise((resume) => setTimeout(resume, 100));
+    return set(wishes);
+  });
+  toggleBreakpoint(5);
+  await bench.run();
+  late.mockRestore();
+  expect(session.notice.value).toMatchObject({ kind: "stopped", stop: { reason: "line" } });
+});
+
 // --- Records of hosts ----------------------------------------------------------------------------
 
 /** A host that opens a card twice and lets an axis jog; no card has its state at the end. */

@@ -98,6 +98,8 @@ class Bench {
   #engine: Promise<Engine> | undefined;
   #purpose: Purpose = "programs";
   #work: Promise<unknown> = Promise.resolve();
+  /** What is changed beside the work; work that is asked for later waits for it. */
+  #changes: Promise<unknown> = Promise.resolve();
   /** The run that goes on until it is paused; whatever is done next ends it. */
   #run: AbortController | undefined;
   /** The present walk; a step is short, and ended by a pause alone. */
@@ -413,7 +415,7 @@ class Bench {
   /** One after the other; refusals are said, the end of the engine has been. */
   #then(work: (engine: Engine) => Promise<void>, besides = false): Promise<void> {
     if (!besides) this.#run?.abort();
-    const after = besides ? Promise.resolve() : this.#work;
+    const after = besides ? Promise.resolve() : Promise.all([this.#work, this.#changes]);
     const done = after.then(async () => {
       try {
         await work(await this.engine());
@@ -423,7 +425,8 @@ class Bench {
         }
       }
     });
-    if (!besides) this.#work = done;
+    if (besides) this.#changes = Promise.all([this.#changes, done]);
+    else this.#work = done;
     return done;
   }
 
