@@ -7,6 +7,7 @@ import { settings } from "../store/settings.js";
 import { openLesson, source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
 import { isSolvedNow, verdict } from "./checks.js";
+import { LessonMap } from "./map.js";
 import { htmlOf } from "./markdown.js";
 import { VerdictBox } from "./verdict.js";
 
@@ -27,6 +28,7 @@ export function LessonPanel() {
   return (
     <div class="lesson">
       <div class="lesson-head">
+        {list.length > 0 && <LessonMap />}
         <label class="visually-hidden" for="lesson-choice">
           {t.open}
         </label>
@@ -47,16 +49,9 @@ export function LessonPanel() {
           <option value={ownProgram.id}>{ownProgram.title[language.value]}</option>
         </select>
         {list.length > 0 && (
-          <>
-            <progress
-              aria-label={t.list}
-              max={list.length}
-              value={list.filter(({ id }) => solved.value.has(id)).length}
-            />
-            <span class="small muted">
-              {t.progress(list.filter(({ id }) => solved.value.has(id)).length, list.length)}
-            </span>
-          </>
+          <span class="small muted">
+            {t.progress(list.filter(({ id }) => solved.value.has(id)).length, list.length)}
+          </span>
         )}
       </div>
       <div
