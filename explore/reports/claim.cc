@@ -6,18 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/markup.h"
 #include "base/milliseconds.h"
-#include "explore/reports/coverage_text.h"
 
 namespace oncard::explore {
 namespace {
-
-/// A label with its lines of text.
-struct ClaimEntry {
-  Message label;
-  std::vector<Message> lines;
-};
 
 // --- What was asked ------------------------------------------------------------------------------
 
@@ -74,13 +66,9 @@ std::string Joined(const std::vector<std::string>& names) {
   return text;
 }
 
-ClaimEntry Asked(const Findings& findings) {
+std::vector<Message> BuiltInAsked(const Findings& findings) {
   const Subject& subject = findings.subject;
-  ClaimEntry entry = {{"asked", "要求"}, {}};
-  for (const Requirement& requirement : subject.requirements) {
-    const std::string title = requirement.Title();
-    entry.lines.push_back({title, title});
-  }
+  std::vector<Message> lines;
   Message built_in = {"no thread fault", "无线程故障"};
   const BuiltIn looked_for = BuiltInOf(findings);
   if (looked_for.deadlock) {
@@ -97,14 +85,14 @@ ClaimEntry Asked(const Findings& findings) {
     built_in.en += fmt::format(", all threads end before {} ms{}", subject.card->limit_ms, since);
     built_in.zh += fmt::format("，所有线程在{}{} ms 前结束", since_zh, subject.card->limit_ms);
   }
-  entry.lines.push_back(std::move(built_in));
+  lines.push_back(std::move(built_in));
   if (subject.host != nullptr) {
-    entry.lines.push_back({"every call of the host is answered with its recorded code",
-                           "主机每次调用的返回值与记录相同"});
+    lines.push_back({"every call of the host is answered with its recorded code",
+                     "主机每次调用的返回值与记录相同"});
   }
   if (subject.races != RaceRule::kAny && subject.card) {
-    entry.lines.push_back({"axes, coordinate systems and outputs have one owner at a time",
-                           "每个轴、坐标系和输出在同一时间只有一个归属线程"});
+    lines.push_back({"axes, coordinate systems and outputs have one owner at a time",
+                     "每个轴、坐标系和输出在同一时间只有一个归属线程"});
   }
   if (subject.races != RaceRule::kAny) {
     Message races =
@@ -119,12 +107,12 @@ ClaimEntry Asked(const Findings& findings) {
       races.en += "; variables for which statements wait synchronise, too";
       races.zh += "；语句所等待的变量也作为同步变量";
     }
-    entry.lines.push_back(std::move(races));
+    lines.push_back(std::move(races));
   }
-  return entry;
+  return lines;
 }
 
-ClaimEntry NotAsked(const Findings& findings) {
+std::vector<Message> NotAsked(const Findings& findings) {
   Message line;
   const auto add = [&](const Message& what) {
     line.en += (line.en.empty() ? "" : ", ") + what.en;
@@ -143,24 +131,23 @@ ClaimEntry NotAsked(const Findings& findings) {
   }
   if (!looked_for.deadlock) add({"deadlock", "死锁"});
   if (subject.races == RaceRule::kAny) add({"data races", "数据竞争"});
-  ClaimEntry entry = {{"not asked", "未要求"}, {}};
-  if (!line.en.empty()) entry.lines.push_back(std::move(line));
-  return entry;
+  if (line.en.empty()) return {};
+  return {std::move(line)};
 }
 
 // --- Of what, under which assumptions ------------------------------------------------------------
 
-ClaimEntry Program(const Subject& subject) {
-  ClaimEntry entry = {{"program", "程序"}, {}};
-  entry.lines.push_back(MakeMessage("{0}, object {1:016x}", "{0}，目标文件 {1:016x}",
-                                    subject.program, subject.image->hash));
+std::vector<Message> Program(const Subject& subject) {
+  std::vector<Message> lines;
+  lines.push_back(MakeMessage("{0}, object {1:016x}", "{0}，目标文件 {1:016x}", subject.program,
+                              subject.image->hash));
   if (subject.host != nullptr) {
-    entry.lines.push_back(MakeMessage("host of {0}: {1} calls, {2:016x}",
-                                      "{0} 的主机：{1} 次调用，{2:016x}", subject.record,
-                                      subject.host->size(), subject.scenario_hash));
+    lines.push_back(MakeMessage("host of {0}: {1} calls, {2:016x}",
+                                "{0} 的主机：{1} 次调用，{2:016x}", subject.record,
+                                subject.host->size(), subject.scenario_hash));
   } else if (!subject.scenario.empty()) {
-    entry.lines.push_back(MakeMessage("scenario {0}, {1:016x}", "场景 {0}，{1:016x}",
-                                      subject.scenario, subject.scenario_hash));
+    lines.push_back(MakeMessage("scenario {0}, {1:016x}", "场景 {0}，{1:016x}", subject.scenario,
+                                subject.scenario_hash));
   }
   std::string threads;
   for (const ThreadSetup& setup : subject.threads) {
@@ -168,33 +155,33 @@ ClaimEntry Program(const Subject& subject) {
         fmt::format("{}{} {}", threads.empty() ? "" : ", ", setup.thread,
                     subject.image->object.functions[static_cast<size_t>(setup.function)].name);
   }
-  entry.lines.push_back({"threads " + threads, "线程 " + threads});
-  return entry;
+  lines.push_back({"threads " + threads, "线程 " + threads});
+  return lines;
 }
 
 /// What was chosen from, and how far.
-ClaimEntry Cases(const Findings& findings) {
-  ClaimEntry entry = {{"cases", "情形"}, {}};
-  if (!findings.cases) return entry;
+std::vector<Message> Cases(const Findings& findings) {
+  std::vector<Message> lines;
+  if (!findings.cases) return lines;
   const CaseSearch& search = *findings.cases;
   Message choices;
   for (const Message& choice : search.choices) {
     choices.en += (choices.en.empty() ? "" : ", ") + choice.en;
     choices.zh += (choices.zh.empty() ? "" : "，") + choice.zh;
   }
-  entry.lines.push_back(MakeMessage("for every choice of: {0}: {1} cases",
-                                    "对以下各项的每种选择：{2}：共 {1} 种情形", choices.en,
-                                    search.cases, choices.zh));
+  lines.push_back(MakeMessage("for every choice of: {0}: {1} cases",
+                              "对以下各项的每种选择：{2}：共 {1} 种情形", choices.en, search.cases,
+                              choices.zh));
   if (search.searched == 1) {
-    entry.lines.push_back({"one case was searched", "已搜索 1 种情形"});
+    lines.push_back({"one case was searched", "已搜索 1 种情形"});
   } else if (search.in_order || search.searched == search.cases) {
-    entry.lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
-                                      "计数为前 {0} 种情形之和", search.searched));
+    lines.push_back(MakeMessage("the counts are sums over the first {0} cases",
+                                "计数为前 {0} 种情形之和", search.searched));
   } else {
-    entry.lines.push_back(MakeMessage("{0} cases were searched; the counts are sums",
-                                      "已搜索 {0} 种情形；计数为总和", search.searched));
+    lines.push_back(MakeMessage("{0} cases were searched; the counts are sums",
+                                "已搜索 {0} 种情形；计数为总和", search.searched));
   }
-  return entry;
+  return lines;
 }
 
 uint64_t HashOfWorld(const CardConditions& card) {
@@ -210,42 +197,42 @@ bool AsksForResponses(const Subject& subject) {
          });
 }
 
-ClaimEntry Assumptions(const Findings& findings) {
+std::vector<Message> Assumptions(const Findings& findings) {
   const Subject& subject = findings.subject;
-  ClaimEntry entry = {{"assumes", "前提"}, {}};
+  std::vector<Message> lines;
   if (!subject.card) {
-    entry.lines.push_back({"any thread may execute the next statement; no time passes",
-                           "任一线程都可能执行下一条语句；不计时间"});
+    lines.push_back({"any thread may execute the next statement; no time passes",
+                     "任一线程都可能执行下一条语句；不计时间"});
     if (AsksForResponses(subject) && SeesEndlessRuns(findings.exploration.engine)) {
-      entry.lines.push_back({"leads: no thread that can run waits for ever for its next statement",
-                             "leads：任一可运行的线程都不会永远得不到执行"});
+      lines.push_back({"leads: no thread that can run waits for ever for its next statement",
+                       "leads：任一可运行的线程都不会永远得不到执行"});
     }
-    return entry;
+    return lines;
   }
   const CardConditions& card = *subject.card;
-  entry.lines.push_back(
+  lines.push_back(
       {"any thread may execute the next statement, and each executes at least one in every cycle",
        "任一线程都可能执行下一条语句，且每个线程在每个周期内至少执行一条"});
-  entry.lines.push_back(MakeMessage("rate {0} statements per ms, cycle {1} us, {2} axes",
-                                    "速率每 ms {0} 条语句，周期 {1} us，{2} 轴", card.rate,
-                                    card.cycle_us, card.axis_count));
+  lines.push_back(MakeMessage("rate {0} statements per ms, cycle {1} us, {2} axes",
+                              "速率每 ms {0} 条语句，周期 {1} us，{2} 轴", card.rate, card.cycle_us,
+                              card.axis_count));
   if (subject.host != nullptr) {
-    entry.lines.push_back(
+    lines.push_back(
         {"the host makes its recorded calls, each in the cycle of the record, whatever it reads",
          "无论读到什么，主机都在记录的周期内发出所记录的调用"});
   }
-  entry.lines.push_back(card.world == runtime::World{}
-                            ? Message{"world: ideal drives, inputs off, no events",
-                                      "外部世界：理想驱动器，输入全关，无事件"}
-                            : MakeMessage("world: as in the scenario, {0:016x}",
-                                          "外部世界：如场景所述，{0:016x}", HashOfWorld(card)));
-  return entry;
+  lines.push_back(card.world == runtime::World{}
+                      ? Message{"world: ideal drives, inputs off, no events",
+                                "外部世界：理想驱动器，输入全关，无事件"}
+                      : MakeMessage("world: as in the scenario, {0:016x}",
+                                    "外部世界：如场景所述，{0:016x}", HashOfWorld(card)));
+  return lines;
 }
 
-ClaimEntry Bounds(const Findings& findings) {
+std::vector<Message> Bounds(const Findings& findings) {
   const Exploration& exploration = findings.exploration;
-  ClaimEntry entry = {{"bounds", "范围"}, {}};
-  const auto add = [&](Message message) { entry.lines.push_back(std::move(message)); };
+  std::vector<Message> lines;
+  const auto add = [&](Message message) { lines.push_back(std::move(message)); };
   if (const auto& card = findings.subject.card; card && !BuiltInOf(findings).limit) {
     if (card->until_us) {
       add(MakeMessage("the first {0} ms", "前 {0} ms", ToMs(*card->until_us)));
@@ -287,27 +274,10 @@ ClaimEntry Bounds(const Findings& findings) {
     add({"every schedule; orders of statements in a cycle that nobody notices were searched once",
          "所有调度；周期内不影响任何线程和要求的语句次序只搜索一次"});
   }
-  if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
+  if (lines.empty() && exploration.verdict == Verdict::kProved) {
     add({"none: every schedule was searched", "无：已搜索所有调度"});
   }
-  return entry;
-}
-
-std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
-  std::vector<ClaimEntry> entries = {Asked(findings),           NotAsked(findings),
-                                     Program(findings.subject), Cases(findings),
-                                     Assumptions(findings),     Bounds(findings)};
-  const Exploration& exploration = findings.exploration;
-  const EngineKind engine = exploration.paired ? EngineKind::kAuto : exploration.engine;
-  entries.push_back({{"by", "工具"},
-                     {MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
-                                  EngineName(engine))}});
-  const WayOut& way = findings.way_out;
-  entries.push_back({{"reached", "进度"}, way.reached});
-  entries.push_back({{"spent on", "状态用于"}, way.spent});
-  entries.push_back({{"try", "可尝试"}, way.next});
-  std::erase_if(entries, [](const ClaimEntry& entry) { return entry.lines.empty(); });
-  return entries;
+  return lines;
 }
 
 // --- Results that nobody has asked for -----------------------------------------------------------
@@ -418,57 +388,76 @@ Message AskHead(const Subject& subject) {
 
 }  // namespace
 
+Claim ClaimOf(const Findings& findings) {
+  const Exploration& exploration = findings.exploration;
+  const EngineKind engine = exploration.paired ? EngineKind::kAuto : exploration.engine;
+  Claim claim;
+  for (const Requirement& requirement : findings.subject.requirements) {
+    const std::string title = requirement.Title();
+    claim.requirements.push_back({title, title});
+  }
+  claim.built_in = BuiltInAsked(findings);
+  claim.not_asked = NotAsked(findings);
+  claim.program = Program(findings.subject);
+  claim.cases = Cases(findings);
+  claim.assumptions = Assumptions(findings);
+  claim.bounds = Bounds(findings);
+  claim.by = MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
+                         EngineName(engine));
+  return claim;
+}
+
+std::optional<UnaskedResults> UnaskedResultsOf(const Findings& findings) {
+  const auto results = ResultsOf(findings);
+  if (!results) return std::nullopt;
+  UnaskedResults unasked = {ResultsHead(*results), {}, AskHead(findings.subject), {}};
+  for (const auto& end : results->shown) unasked.ends.push_back(EndText(end));
+  if (!results->requirement.empty()) {
+    unasked.requirement = PasteLine(findings.subject, results->requirement);
+  }
+  return unasked;
+}
+
 std::string ClaimText(const Findings& findings, Language language) {
   const bool chinese = language == Language::kChinese;
   // Columns of a terminal: a Chinese character takes two, but three bytes.
   const auto columns = [&](const Message& label) {
     return chinese ? label.zh.size() / 3 * 2 : label.en.size();
   };
-  const auto entries = EntriesOf(findings);
+  Claim claim = ClaimOf(findings);
+  std::vector<Message> asked = std::move(claim.requirements);
+  asked.insert(asked.end(), claim.built_in.begin(), claim.built_in.end());
+  const WayOut& way = findings.way_out;
+  std::vector<std::pair<Message, std::vector<Message>>> entries = {
+      {{"asked", "要求"}, std::move(asked)},
+      {{"not asked", "未要求"}, std::move(claim.not_asked)},
+      {{"program", "程序"}, std::move(claim.program)},
+      {{"cases", "情形"}, std::move(claim.cases)},
+      {{"assumes", "前提"}, std::move(claim.assumptions)},
+      {{"bounds", "范围"}, std::move(claim.bounds)},
+      {{"by", "工具"}, {claim.by}},
+      {{"reached", "进度"}, way.reached},
+      {{"spent on", "状态用于"}, way.spent},
+      {{"try", "可尝试"}, way.next}};
+  std::erase_if(entries, [](const auto& entry) { return entry.second.empty(); });
   size_t width = 0;
-  for (const ClaimEntry& entry : entries) width = std::max(width, columns(entry.label));
+  for (const auto& [label, lines] : entries) width = std::max(width, columns(label));
   std::string text;
-  for (const ClaimEntry& entry : entries) {
-    text += entry.label.In(language) + std::string(width - columns(entry.label), ' ');
-    for (const Message& line : entry.lines) {
-      if (&line != &entry.lines.front()) text += std::string(width, ' ');
+  for (const auto& [label, lines] : entries) {
+    text += label.In(language) + std::string(width - columns(label), ' ');
+    for (const Message& line : lines) {
+      if (&line != &lines.front()) text += std::string(width, ' ');
       text += "  " + line.In(language) + '\n';
     }
   }
-  const auto results = ResultsOf(findings);
+  const auto results = UnaskedResultsOf(findings);
   if (!results) return text;
-  text += '\n' + ResultsHead(*results).In(language) + '\n';
-  for (const auto& end : results->shown) text += "  " + EndText(end) + '\n';
+  text += '\n' + results->head.In(language) + '\n';
+  for (const std::string& end : results->ends) text += "  " + end + '\n';
   if (!results->requirement.empty()) {
-    text += AskHead(findings.subject).In(language) + "\n  " +
-            PasteLine(findings.subject, results->requirement) + '\n';
+    text += results->ask.In(language) + "\n  " + results->requirement + '\n';
   }
   return text + '\n';
-}
-
-std::string ClaimHtml(const Findings& findings, Language language) {
-  std::string html = "<table class=\"claim\">\n";
-  std::vector<ClaimEntry> entries = EntriesOf(findings);
-  entries.push_back({{"coverage", "覆盖"}, DescribeCoverage(findings)});
-  for (const ClaimEntry& entry : entries) {
-    html += fmt::format("<tr><th>{}</th><td>", EscapeMarkup(entry.label.In(language)));
-    for (const Message& line : entry.lines) {
-      html += (&line == &entry.lines.front() ? "" : "<br>") + EscapeMarkup(line.In(language));
-    }
-    html += "</td></tr>\n";
-  }
-  html += "</table>\n";
-  const auto results = ResultsOf(findings);
-  if (!results) return html;
-  html += fmt::format("<p>{}</p>\n<ul>\n", EscapeMarkup(ResultsHead(*results).In(language)));
-  for (const auto& end : results->shown) {
-    html += fmt::format("<li><code>{}</code></li>\n", EscapeMarkup(EndText(end)));
-  }
-  html += "</ul>\n";
-  if (results->requirement.empty()) return html;
-  return html + fmt::format("<p>{}</p>\n<pre>{}</pre>\n",
-                            EscapeMarkup(AskHead(findings.subject).In(language)),
-                            EscapeMarkup(PasteLine(findings.subject, results->requirement)));
 }
 
 void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
@@ -521,7 +510,7 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
                                : fmt::format("{:016x}", HashOfWorld(*card));
   }
   auto& bounds = (*json)["bounds"] = nlohmann::ordered_json::array();
-  for (const Message& line : Bounds(findings).lines) bounds.push_back(line.en);
+  for (const Message& line : Bounds(findings)) bounds.push_back(line.en);
   if (const Horizon& horizon = findings.exploration.horizon) {
     auto& json_horizon = (*json)["horizon"];
     if (horizon.at_ms) json_horizon["ms"] = *horizon.at_ms;

@@ -6,17 +6,41 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "base/message.h"
 #include "explore/reports/report.h"
 
 namespace oncard::explore {
 
+/// Its parts, line by line; a part without lines has nothing to say.
+struct Claim {
+  std::vector<Message> requirements;  ///< as they were written
+  std::vector<Message> built_in;      ///< what was asked without a requirement
+  std::vector<Message> not_asked;
+  std::vector<Message> program;  ///< with the hashes of what was searched
+  std::vector<Message> cases;    ///< of a scenario with choices
+  std::vector<Message> assumptions;
+  std::vector<Message> bounds;
+  Message by;  ///< version and engine
+};
+Claim ClaimOf(const Findings& findings);
+
+/// Results that nobody has asked for.
+struct UnaskedResults {
+  Message head;                   ///< how many were found
+  std::vector<std::string> ends;  ///< `next = 2, ret0 = 1`
+  Message ask;                    ///< where to require one of them
+  std::string requirement;        ///< the line to be pasted there; empty if there is none
+};
+
+/// Empty if there are requirements, or a failure, and for an endless program.
+std::optional<UnaskedResults> UnaskedResultsOf(const Findings& findings);
+
 /// For a terminal: labelled lines, then the different results; ends in a newline.
 std::string ClaimText(const Findings& findings, Language language);
-
-/// The same as a table and a list for an HTML page, with what was executed (coverage_text.h).
-std::string ClaimHtml(const Findings& findings, Language language);
 
 /// Adds `asked` (`requirements`, `faults`, `endless` of such a program, `deadlock`, `livelock`,
 /// `limit`, `races`), `program`, of a scenario with choices `choices`, `cases` and
