@@ -16,6 +16,7 @@ class CaseExploration {
       : choices_(choices), options_(options), cases_(choices.cases()) {
     search_.choices = choices.Describe();
     search_.cases = cases_;
+    covered_.resize(static_cast<size_t>(cases_));
   }
 
   Result<Findings> Explore(const runtime::Scenario& scenario, const CaseExplorer& explore) {
@@ -72,6 +73,8 @@ class CaseExploration {
 
   void Join(Findings next, std::shared_ptr<const runtime::Scenario> chosen) {
     untested_.Add(next.untested);
+    covered_[static_cast<size_t>(search_.searched)] =
+        next.exploration.verdict != Verdict::kIncomplete;
     const bool stops = !stopped_ && next.exploration.verdict == Verdict::kIncomplete;
     WayOut way;
     std::optional<Reached> reached;
@@ -117,6 +120,7 @@ class CaseExploration {
       BoundByHorizon(Horizon(exploration.horizon), &exploration);
     }
     all_->untested = IsGood(exploration.verdict) ? untested_.Texts() : std::vector<Message>();
+    search_.covered = choices_.Covered(covered_);
     all_->cases = std::move(search_);
   }
 
@@ -126,7 +130,8 @@ class CaseExploration {
   CaseSearch search_;
   std::unique_ptr<Findings> all_;  ///< of the cases so far
   UntestedInAll untested_;
-  bool stopped_ = false;  ///< a case is incomplete
+  std::vector<bool> covered_;  ///< for each case: it was searched to its end
+  bool stopped_ = false;       ///< a case is incomplete
 };
 
 }  // namespace

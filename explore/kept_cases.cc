@@ -72,13 +72,15 @@ class KeptCases {
   }
 
   /// Says of the findings which cases they are of.
-  void Describe(std::optional<int64_t> failing, int64_t searched, Findings* findings) const {
+  void Describe(std::optional<int64_t> failing, const std::vector<bool>& searched,
+                Findings* findings) const {
     explore::Describe(searched_.scenario, &findings->subject);
     if (!any_open()) return;
     CaseSearch& cases = findings->cases.emplace();
     cases.choices = choices_.Describe();
     cases.cases = count();
-    cases.searched = searched;
+    cases.searched = std::ranges::count(searched, true);
+    cases.covered = choices_.Covered(searched);
     cases.in_order = false;
     if (!failing) return;
     cases.failing = choices_.DescribeCase(*failing);
@@ -144,10 +146,11 @@ Result<Findings> ConcludeRuns(const KeptCases& cases, const SearchFile& file, Me
       cases.FindingsOfCase(number, std::move(exploration), fails ? &file.samples.failing : nullptr);
   if (!findings.ok()) return findings;
   // Which cases have had their runs is the same for all searches with so many.
-  const int64_t searched = file.whole() && file.done() ? cases.count() : 0;
+  const bool all = file.whole() && file.done();
+  const std::vector<bool> searched(static_cast<size_t>(cases.count()), all);
   cases.Describe(fails ? std::optional(number) : std::nullopt, searched, &findings.value());
   ShowRemarks(file.remarks, &findings.value());
-  if (!fails && searched > 0) findings.value().untested = file.remarks.untested.Texts();
+  if (!fails && all) findings.value().untested = file.remarks.untested.Texts();
   return findings;
 }
 
@@ -176,10 +179,10 @@ Result<Findings> GoOnRuns(const KeptCases& cases, const ExploreOptions& options,
 
 // --- Units ---------------------------------------------------------------------------------------
 
-/// The cases whose schedules have all been searched.
-int64_t CasesSearched(const SearchFile& file) {
+/// For each case: all its schedules have been searched.
+std::vector<bool> CasesSearched(const SearchFile& file) {
   const UnitSearch& units = *file.units;
-  int64_t searched = 0;
+  std::vector<bool> searched;
   for (int64_t number = 0; number < units.cases; ++number) {
     bool whole = true;
     for (int64_t unit = number * units.groups; unit < (number + 1) * units.groups; ++unit) {
@@ -187,7 +190,7 @@ int64_t CasesSearched(const SearchFile& file) {
       whole = whole && std::ranges::binary_search(file.held, part) &&
               !std::ranges::binary_search(units.left, unit);
     }
-    searched += whole ? 1 : 0;
+    searched.push_back(whole);
   }
   return searched;
 }

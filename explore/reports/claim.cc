@@ -181,6 +181,10 @@ std::vector<Message> Cases(const Findings& findings) {
     lines.push_back(MakeMessage("{0} cases were searched; the counts are sums",
                                 "已搜索 {0} 种情形；计数为总和", search.searched));
   }
+  for (const runtime::CoveredChoice& choice : search.covered) {
+    const Message covered = runtime::DescribeCovered(choice);
+    lines.push_back(MakeMessage("covered: {0}", "已覆盖：{1}", covered.en, covered.zh));
+  }
   return lines;
 }
 
@@ -496,6 +500,19 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     for (const Message& choice : search->choices) (*json)["choices"].push_back(choice.en);
     (*json)["cases"] = search->cases;
     (*json)["cases_searched"] = search->searched;
+    for (const runtime::CoveredChoice& choice : search->covered) {
+      auto& covered = (*json)["covered"].emplace_back();
+      covered["name"] = choice.name;
+      if (choice.instants) {
+        covered["from_ms"] = choice.first;
+        covered["to_ms"] = choice.last;
+      } else {
+        covered["from"] = static_cast<int64_t>(choice.first);
+        covered["to"] = static_cast<int64_t>(choice.last);
+      }
+      covered["values"] = choice.values;
+      covered["covered"] = choice.covered;
+    }
   }
   auto& assumptions = (*json)["assumptions"];
   assumptions["card"] = subject.card.has_value();

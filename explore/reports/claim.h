@@ -43,10 +43,11 @@ std::optional<UnaskedResults> UnaskedResultsOf(const Findings& findings);
 std::string ClaimText(const Findings& findings, Language language);
 
 /// Adds `asked` (`requirements`, `faults`, `endless` of such a program, `deadlock`, `livelock`,
-/// `limit`, `races`), `program`, of a scenario with choices `choices`, `cases` and
-/// `cases_searched`, `assumptions`, `bounds` and `oncard`, the version; if there were no
-/// requirements on results, also `results` and `ask`, a requirement to paste; of
-/// an incomplete search `reached`, `spent_on` and `try` (way_out.h).
+/// `limit`, `races`), `program`, of a scenario with choices `choices`, `cases`,
+/// `cases_searched` and `covered`, of each choice the number of its `values` that were `covered`,
+/// `assumptions`, `bounds` and `oncard`, the version; if there were no requirements on results,
+/// also `results` and `ask`, a requirement to paste; of an incomplete search `reached`, `spent_on`
+/// and `try` (way_out.h).
 void AddClaim(const Findings& findings, nlohmann::ordered_json* json);
 
 }  // namespace oncard::explore

@@ -18,6 +18,7 @@
 #include "explore/search/explorer.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/scenario/file/scenario.h"
+#include "runtime/scenario/run/choices.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/schedule.h"
 
@@ -29,6 +30,8 @@ struct CaseSearch {
   int64_t cases = 0;
   int64_t searched = 0;  ///< from the first one on, the last one perhaps in part
   bool in_order = true;  ///< false: any of them, all of which were searched to their ends
+  /// Values in cases that were searched to their ends or to a failure.
+  std::vector<runtime::CoveredChoice> covered;
   // Of the case that failed:
   Message failing;  ///< what was chosen
   std::shared_ptr<const runtime::Scenario> scenario;

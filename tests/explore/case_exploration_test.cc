@@ -58,13 +58,32 @@ TEST(CaseExploration, TheReportSaysWhatWasChosenFrom) {
   const Findings all = FindingsOf(Adders("//@ input: x = -1..2\n//@ final: g == 2 * x\n"), {});
   EXPECT_THAT(TextReport(all, Language::kEnglish),
               HasSubstr("cases      for every choice of: x in -1..2: 4 cases\n"
-                        "           the counts are sums over the first 4 cases\n"));
+                        "           the counts are sums over the first 4 cases\n"
+                        "           covered: 4 of 4 values of x, -1 to 2\n"));
   EXPECT_THAT(TextReport(all, Language::kChinese), HasSubstr("x 取 -1..2：共 4 种情形"));
   EXPECT_THAT(HtmlReport(all, Language::kEnglish), HasSubstr("auto: 4 cases"));
   const Json json = Json::parse(JsonReport(all));
   EXPECT_EQ(json["choices"], Json::parse(R"(["x in -1..2"])"));
   EXPECT_EQ(json["cases"], 4);
   EXPECT_EQ(json["cases_searched"], 4);
+  EXPECT_EQ(json["covered"], Json::parse(R"([{"name": "x", "from": -1, "to": 2,
+                                              "values": 4, "covered": 4}])"));
+}
+
+// The second case, with the instant 10.25 ms, is begun, and a limit ends it.
+TEST(CaseExploration, AValueCountsAsCoveredWhenItsCaseWasSearchedToItsEnd) {
+  const std::string keys = "final = [\"clock > 9\"]\n" + Arrives("between_ms = [10, 11]");
+  const auto states =
+      static_cast<uint32_t>(FindingsOf(kWaiter, "final = [\"clock > 9\"]\n" + Arrives("at_ms = 10"),
+                                       {.engine = EngineKind::kStateful})
+                                .exploration.states->states);
+  const Findings some =
+      FindingsOf(kWaiter, keys, {.engine = EngineKind::kStateful, .state_limit = states + 2});
+  EXPECT_EQ(some.exploration.verdict, Verdict::kIncomplete);
+  EXPECT_EQ(some.cases->searched, 2);
+  EXPECT_EQ(Json::parse(JsonReport(some))["covered"],
+            Json::parse(R"([{"name": "gpi[1]", "from_ms": 10.0, "to_ms": 11.0,
+                             "values": 5, "covered": 1}])"));
 }
 
 TEST(CaseExploration, TheFirstFailureEndsItAndSaysItsChoice) {
@@ -78,6 +97,7 @@ TEST(CaseExploration, TheFirstFailureEndsItAndSaysItsChoice) {
                 HasSubstr("\nnever: g == 4 holds: g is 4\nchoice: x = 2\n"));
     EXPECT_EQ(Json::parse(JsonReport(all))["choice"], "x = 2");
     EXPECT_EQ(Json::parse(JsonReport(all))["cases_searched"], 3);
+    EXPECT_EQ(all.cases->covered.front().covered, 3);
   }
 }
 

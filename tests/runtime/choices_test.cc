@@ -51,6 +51,33 @@ TEST(Choices, AnEventComesWithAnyCycleBothEndsIncluded) {
   EXPECT_FALSE(choices.CaseOf(scenario, 3).world.inputs[0].last_us);
 }
 
+// Cases 0 to 120 are those of n = 1, and case 121 the first one of n = 2.
+TEST(Choices, AValueIsCoveredByAnyCaseThatHasIt) {
+  const Choices choices = ChoicesOf(
+      "globals = { n = { any = [1, 10] } }\n"
+      "[[world.input]]\nindex = 1\nvalue = 1\nbetween_ms = [10, 40]\n");
+  const auto after = [&](size_t cases) {
+    std::vector<bool> searched(static_cast<size_t>(choices.cases()));
+    for (size_t i = 0; i < cases; ++i) searched[i] = true;
+    std::vector<std::string> texts;
+    for (const CoveredChoice& choice : choices.Covered(searched)) {
+      texts.push_back(DescribeCovered(choice).en);
+    }
+    return texts;
+  };
+  EXPECT_THAT(after(0), ElementsAre("0 of 121 instants of gpi[1], 10 to 40 ms",
+                                    "0 of 10 values of n, 1 to 10"));
+  EXPECT_THAT(after(36), ElementsAre("36 of 121 instants of gpi[1], 10 to 40 ms",
+                                     "1 of 10 values of n, 1 to 10"));
+  EXPECT_THAT(after(122), ElementsAre("121 of 121 instants of gpi[1], 10 to 40 ms",
+                                      "2 of 10 values of n, 1 to 10"));
+  std::vector<bool> last(1210);
+  last.back() = true;
+  const CoveredChoice instants = choices.Covered(last).front();
+  EXPECT_EQ(instants.covered, 1);
+  EXPECT_EQ(DescribeCovered(instants).zh, "gpi[1] 在 10 至 40 ms 的 121 个时刻中的 1 个");
+}
+
 // Of cycles of 1 ms those of 11 to 12 ms begin in this time.
 TEST(Choices, OnlyCyclesThatBeginInTheTimeCount) {
   EXPECT_THAT(TextsOf(ChoicesOf("cycle_us = 1000\n[[world.input]]\nindex = 1\nvalue = 1\n"

@@ -311,6 +311,41 @@ Message Choices::DescribeCase(int64_t number) const {
   return text;
 }
 
+std::vector<CoveredChoice> Choices::Covered(const std::vector<bool>& cases) const {
+  std::vector<std::vector<bool>> covered;
+  for (const Choice& choice : choices_) covered.emplace_back(static_cast<size_t>(choice.count));
+  for (size_t number = 0; number < cases.size(); ++number) {
+    if (!cases[number]) continue;
+    auto rest = static_cast<int64_t>(number);
+    for (size_t i = 0; i < choices_.size(); ++i) {
+      covered[i][static_cast<size_t>(rest % choices_[i].count)] = true;
+      rest /= choices_[i].count;
+    }
+  }
+  std::vector<CoveredChoice> result;
+  for (size_t i = 0; i < choices_.size(); ++i) {
+    const Choice& choice = choices_[i];
+    const bool instants = choice.kind == ChoiceKind::kInput || choice.kind == ChoiceKind::kFault;
+    const auto shown = [&](int64_t value) {
+      return instants ? ToMs(clock_.UsOf(value)) : static_cast<double>(value);
+    };
+    result.push_back({choice.name, instants, shown(choice.first),
+                      shown(choice.first + choice.count - 1), choice.count,
+                      std::ranges::count(covered[i], true)});
+  }
+  return result;
+}
+
+Message DescribeCovered(const CoveredChoice& choice) {
+  return choice.instants
+             ? MakeMessage("{0} of {1} instants of {2}, {3} to {4} ms",
+                           "{2} 在 {3} 至 {4} ms 的 {1} 个时刻中的 {0} 个", choice.covered,
+                           choice.values, choice.name, choice.first, choice.last)
+             : MakeMessage("{0} of {1} values of {2}, {3:.0f} to {4:.0f}",
+                           "{2} 取 {3:.0f} 至 {4:.0f} 的 {1} 个值中的 {0} 个", choice.covered,
+                           choice.values, choice.name, choice.first, choice.last);
+}
+
 Message DescribeChosen(const Message& chosen) {
   return MakeMessage("choice: {0}", "选择：{1}", chosen.en, chosen.zh);
 }

@@ -45,6 +45,19 @@ struct Choice {
   TextPlace place = {};  ///< of its key
 };
 
+/// Which of the values of a choice have been covered.
+struct CoveredChoice {
+  std::string name;       ///< as of the choice
+  bool instants = false;  ///< the values are instants
+  double first = 0;       ///< in ms, or the smallest value
+  double last = 0;
+  int64_t values = 0;
+  int64_t covered = 0;  ///< of them
+};
+
+/// `121 of 121 instants of gpi[1], 10 to 40 ms`, `3 of 10 values of n, 1 to 10`.
+Message DescribeCovered(const CoveredChoice& choice);
+
 class Choices {
  public:
   /// Maximum number of cases: each of them is explored.
@@ -71,6 +84,9 @@ class Choices {
   std::vector<Message> Describe() const;
   /// What is chosen in a case: `gpi[1] = 1 at 10.75 ms; n = 10`.
   Message DescribeCase(int64_t number) const;
+  /// Of each choice the values that are in one of the cases; an element for each case, true for
+  /// those that count.
+  std::vector<CoveredChoice> Covered(const std::vector<bool>& cases) const;
 
  private:
   Choices(CardClock clock, std::vector<Choice> choices);
