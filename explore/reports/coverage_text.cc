@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -11,6 +12,7 @@ namespace {
 
 struct FunctionCoverage {
   std::string name;
+  std::string file;
   std::set<int> reached;  ///< source lines
   std::set<int> not_reached;
   std::set<int> one_way;  ///< lines that were reached, with a condition that went one way
@@ -23,6 +25,7 @@ FunctionCoverage CoverageOf(const vm::Object& object, size_t number,
   const vm::Function& function = object.functions[number];
   FunctionCoverage found;
   found.name = function.name;
+  found.file = function.file;
   for (size_t i = 0; i < function.instructions.size(); ++i) {
     const uint8_t noted = coverage.At(number, i);
     const int line = i < function.lines.size() ? function.lines[i] : 0;
@@ -53,6 +56,25 @@ std::vector<FunctionCoverage> FunctionsOf(const Findings& findings) {
 }
 
 }  // namespace
+
+std::vector<LineMark> MarksOf(const Findings& findings) {
+  const ProgramText& source = findings.source;
+  const auto functions = FunctionsOf(findings);
+  if (source.text.empty() || functions.empty()) return {};
+  std::vector<LineMark> marks(static_cast<size_t>(std::ranges::count(source.text, '\n')) + 1);
+  const auto mark = [&](const std::set<int>& lines, LineMark as) {
+    for (const int line : lines) {
+      if (static_cast<size_t>(line) <= marks.size()) marks[static_cast<size_t>(line) - 1] = as;
+    }
+  };
+  for (const FunctionCoverage& function : functions) {
+    if (!source.file.empty() && function.file != source.file) continue;
+    mark(function.reached, LineMark::kReached);
+    mark(function.not_reached, LineMark::kMissed);
+    mark(function.one_way, LineMark::kOneWay);
+  }
+  return marks;
+}
 
 std::vector<Message> DescribeCoverage(const Findings& findings) {
   const Exploration& exploration = findings.exploration;

@@ -5,13 +5,26 @@
 // tests/explore/coverage_text_test.cc.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "base/message.h"
 #include "explore/reports/report.h"
 
 namespace oncard::explore {
+
+/// What was executed of a line of the source.
+enum class LineMark : uint8_t {
+  kNone,    ///< it has no statement of a thread
+  kMissed,  ///< it was not reached
+  kReached,
+  kOneWay  ///< it was reached, and a condition in it went one way
+};
+
+/// Of each line of the program's text; empty if the text is unknown, or what was executed.
+std::vector<LineMark> MarksOf(const Findings& findings);
 
 /// One line for each function of a thread, and one that says what its figures mean. Only of a proof
 /// it says that a line cannot be reached.

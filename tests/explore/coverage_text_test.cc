@@ -64,10 +64,22 @@ TEST(CoverageTextTest, ASearchThatNotesNothingSaysSo) {
   EXPECT_FALSE(nlohmann::json::parse(JsonReport(findings)).contains("coverage"));
 }
 
+TEST(CoverageTextTest, LinesOfTheSourceAreMarked) {
+  using enum LineMark;
+  Findings findings = FindingsOf(kNeverFive, {});
+  EXPECT_TRUE(MarksOf(findings).empty());
+  findings.source = {kNeverFive};
+  EXPECT_THAT(MarksOf(findings),
+              testing::ElementsAre(kNone, kNone, kNone, kReached, kOneWay, kMissed, kNone, kReached,
+                                   kNone, kNone, kReached, kReached, kNone, kNone, kNone));
+  // The lines of the functions are those of another file.
+  findings.source.file = "other.c";
+  for (const LineMark mark : MarksOf(findings)) EXPECT_EQ(mark, kNone);
+}
+
 TEST(CoverageTextTest, ThePageAndTheJsonHaveIt) {
   const Findings findings = FindingsOf(kNeverFive, {});
-  EXPECT_THAT(HtmlReport(findings, Language::kEnglish),
-              HasSubstr("<tr><th>coverage</th><td>t0: 3 of 4 lines reached"));
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<tr><th>coverage</th><td>t0: 3 of 4 lines reached"));
   const auto json = nlohmann::json::parse(JsonReport(findings))["coverage"];
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["function"], "t0");
