@@ -119,7 +119,8 @@ class CaseExploration {
       if (exploration.samples) exploration.why = DescribeSamples(*exploration.samples);
       BoundByHorizon(Horizon(exploration.horizon), &exploration);
     }
-    all_->untested = IsGood(exploration.verdict) ? untested_.Texts() : std::vector<Message>();
+    all_->knows_untested = IsGood(exploration.verdict);
+    all_->untested = all_->knows_untested ? untested_.Texts() : std::vector<Message>();
     search_.covered = choices_.Covered(covered_);
     all_->cases = std::move(search_);
   }

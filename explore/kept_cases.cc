@@ -150,7 +150,10 @@ Result<Findings> ConcludeRuns(const KeptCases& cases, const SearchFile& file, Me
   const std::vector<bool> searched(static_cast<size_t>(cases.count()), all);
   cases.Describe(fails ? std::optional(number) : std::nullopt, searched, &findings.value());
   ShowRemarks(file.remarks, &findings.value());
-  if (!fails && all) findings.value().untested = file.remarks.untested.Texts();
+  if (!fails && all) {
+    findings.value().untested = file.remarks.untested.Texts();
+    findings.value().knows_untested = true;
+  }
   return findings;
 }
 
@@ -293,6 +296,7 @@ Result<Findings> ConcludeUnits(const KeptCases& cases, const ExploreOptions& opt
   if (shown->exploration.verdict == Verdict::kProved ||
       (shown->exploration.verdict == Verdict::kPassed && whole)) {
     shown->untested = file.remarks.untested.Texts();
+    shown->knows_untested = true;
   }
   return std::move(*shown);
 }

@@ -67,6 +67,7 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   const bool good = IsGood(exploration.value().verdict);
   Findings findings = FindingsOf(scenario, problem.value(), std::move(exploration).value());
   if (good) findings.untested = UntestedOf(problem.value());
+  findings.knows_untested = good;
   if (findings.exploration.verdict == Verdict::kIncomplete) {
     findings.way_out = WayOutOf(findings.subject, findings.exploration, options, problem.value());
   }
@@ -91,6 +92,7 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   const bool good = IsGood(exploration.verdict);
   Findings findings = FindingsOf(scenario, &model.value(), std::move(exploration));
   if (good) findings.untested = std::move(untested);
+  findings.knows_untested = good;
   if (findings.exploration.verdict == Verdict::kIncomplete) {
     findings.way_out = WayOutOf(findings.subject, findings.exploration, options, &model.value());
   }

@@ -181,10 +181,6 @@ std::vector<Message> Cases(const Findings& findings) {
     lines.push_back(MakeMessage("{0} cases were searched; the counts are sums",
                                 "已搜索 {0} 种情形；计数为总和", search.searched));
   }
-  for (const runtime::CoveredChoice& choice : search.covered) {
-    const Message covered = runtime::DescribeCovered(choice);
-    lines.push_back(MakeMessage("covered: {0}", "已覆盖：{1}", covered.en, covered.zh));
-  }
   return lines;
 }
 
@@ -404,6 +400,11 @@ Claim ClaimOf(const Findings& findings) {
   claim.not_asked = NotAsked(findings);
   claim.program = Program(findings.subject);
   claim.cases = Cases(findings);
+  if (findings.cases) {
+    for (const runtime::CoveredChoice& choice : findings.cases->covered) {
+      claim.covered.push_back(runtime::DescribeCovered(choice));
+    }
+  }
   claim.assumptions = Assumptions(findings);
   claim.bounds = Bounds(findings);
   claim.by = MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
@@ -431,6 +432,9 @@ std::string ClaimText(const Findings& findings, Language language) {
   Claim claim = ClaimOf(findings);
   std::vector<Message> asked = std::move(claim.requirements);
   asked.insert(asked.end(), claim.built_in.begin(), claim.built_in.end());
+  for (const Message& covered : claim.covered) {
+    claim.cases.push_back(MakeMessage("covered: {0}", "已覆盖：{1}", covered.en, covered.zh));
+  }
   const WayOut& way = findings.way_out;
   std::vector<std::pair<Message, std::vector<Message>>> entries = {
       {{"asked", "要求"}, std::move(asked)},

@@ -22,6 +22,7 @@ struct Claim {
   std::vector<Message> not_asked;
   std::vector<Message> program;  ///< with the hashes of what was searched
   std::vector<Message> cases;    ///< of a scenario with choices
+  std::vector<Message> covered;  ///< of each choice the values that were covered
   std::vector<Message> assumptions;
   std::vector<Message> bounds;
   Message by;  ///< version and engine

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "base/markup.h"
 #include "explore/reports/culprit.h"
@@ -76,11 +77,6 @@ Message DescribeFault(const Findings& findings, const Failure& failure) {
                      violated.Title());
 }
 
-/// Adds a line to a text that may still be empty.
-void AddLine(const Message& message, Language language, std::string* text) {
-  if (!message.en.empty()) *text += message.In(language) + '\n';
-}
-
 /// Describes the results of the two orders of a data race.
 Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orders) {
   const RaceOrder& other = &order == &orders.front() ? orders.back() : orders.front();
@@ -110,49 +106,44 @@ Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
 }
 
 /// What is wrong, its cause and how it is reached, one line each.
-std::string SummaryOf(const Findings& findings, const Failure& failure,
-                      const std::optional<Culprit>& culprit, Language language) {
+std::vector<Message> SummaryOf(const Findings& findings, const Failure& failure,
+                               const std::optional<Culprit>& culprit) {
   const Trail& trail = findings.trail;
-  Message wrong = DescribeFault(findings, failure);
-  if (!trail.actual.en.empty()) {
-    wrong.en += ": " + trail.actual.en;
-    wrong.zh += "：" + trail.actual.zh;
-  }
-  std::string text = wrong.In(language) + '\n';
+  std::vector<Message> lines = {WhatFailed(findings, failure)};
   if (const auto& cases = findings.cases) {
-    AddLine(MakeMessage("choice: {0}", "选择：{1}", cases->failing.en, cases->failing.zh), language,
-            &text);
+    lines.push_back(MakeMessage("choice: {0}", "选择：{1}", cases->failing.en, cases->failing.zh));
   }
   if (culprit) {
-    AddLine(culprit->sentence, language, &text);
-    AddLine(DescribeSplit(findings, *culprit), language, &text);
-  }
-  if (!trail.orders.empty()) {
-    AddLine({"both orders of the two statements:", "两条语句的两种顺序："}, language, &text);
-    for (const RaceOrder& order : trail.orders) {
-      AddLine(DescribeOrder(order, trail.orders), language, &text);
+    lines.push_back(culprit->sentence);
+    if (Message split = DescribeSplit(findings, *culprit); !split.en.empty()) {
+      lines.push_back(std::move(split));
     }
   }
-  AddLine(MakeMessage(failure.fewest_preemptions ? "statements: {0}, preemptions: {1}; no schedule "
-                                                   "with fewer preemptions fails"
-                                                 : "statements: {0}, preemptions: {1}",
-                      failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
-                                                 : "{0} 条语句，{1} 次抢占",
-                      failure.steps.size(), failure.preemptions),
-          language, &text);
+  if (!trail.orders.empty()) {
+    lines.push_back({"both orders of the two statements:", "两条语句的两种顺序："});
+    for (const RaceOrder& order : trail.orders) {
+      lines.push_back(DescribeOrder(order, trail.orders));
+    }
+  }
+  lines.push_back(
+      MakeMessage(failure.fewest_preemptions ? "statements: {0}, preemptions: {1}; no schedule "
+                                               "with fewer preemptions fails"
+                                             : "statements: {0}, preemptions: {1}",
+                  failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
+                                             : "{0} 条语句，{1} 次抢占",
+                  failure.steps.size(), failure.preemptions));
   if (trail.pair) {
     const Message touched =
         runtime::DescribeRacingPair(trail.pair->what, PartyOf(findings, trail.pair->first),
                                     PartyOf(findings, trail.pair->second));
-    AddLine({"racing pair: " + touched.en, "竞争对：" + touched.zh}, language, &text);
+    lines.push_back({"racing pair: " + touched.en, "竞争对：" + touched.zh});
   }
   if (trail.skipped > 0) {
-    AddLine(
-        MakeMessage("shown: the last {0} statements, after {1} others",
-                    "仅显示最后 {0} 条语句，之前还有 {1} 条", trail.steps.size(), trail.skipped),
-        language, &text);
+    lines.push_back(MakeMessage("shown: the last {0} statements, after {1} others",
+                                "仅显示最后 {0} 条语句，之前还有 {1} 条", trail.steps.size(),
+                                trail.skipped));
   }
-  return text;
+  return lines;
 }
 
 StepView ViewOf(const Findings& findings, const Failure& failure,
@@ -206,6 +197,13 @@ nlohmann::ordered_json PartiesJson(const std::string& what, const runtime::Place
 
 }  // namespace
 
+Message WhatFailed(const Findings& findings, const Failure& failure) {
+  Message wrong = DescribeFault(findings, failure);
+  const Message& actual = findings.trail.actual;
+  if (!actual.en.empty()) wrong = {wrong.en + ": " + actual.en, wrong.zh + "：" + actual.zh};
+  return wrong;
+}
+
 Message DescribeRace(const Subject& subject, const Race& race) {
   const vm::Object& object = subject.image->object;
   if (runtime::IsSetByCommands(race.cell)) {
@@ -219,11 +217,15 @@ Message DescribeRace(const Subject& subject, const Race& race) {
 std::string FailureText(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language) {
   const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
-  std::string text = SummaryOf(findings, failure, culprit, language) + '\n';
+  std::string text;
+  for (const Message& line : SummaryOf(findings, failure, culprit)) {
+    text += line.In(language) + '\n';
+  }
+  text += '\n';
   const StepView view = ViewOf(findings, failure, culprit, options.full);
   text += TextTable(view, options.width, language);
   if (failure.livelock) {
-    AddLine({"\nand then for ever:", "\n然后永远重复："}, language, &text);
+    text += Message{"\nand then for ever:\n", "\n然后永远重复：\n"}.In(language);
     text += TextTable(CycleOf(findings, options.full), options.width, language);
   }
   return text + LeftOutText(view, language);
@@ -232,8 +234,13 @@ std::string FailureText(const Findings& findings, const Failure& failure,
 std::string FailureHtml(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language) {
   const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
-  std::string html =
-      fmt::format("<pre>{}</pre>\n", EscapeMarkup(SummaryOf(findings, failure, culprit, language)));
+  std::string html = "<ul>\n";
+  const std::vector<Message> summary = SummaryOf(findings, failure, culprit);
+  // What failed is the first line.
+  for (const Message& line : std::span(summary).subspan(1)) {
+    html += fmt::format("<li>{}</li>\n", EscapeMarkup(line.In(language)));
+  }
+  html += "</ul>\n";
   const StepView view = ViewOf(findings, failure, culprit, options.full);
   html += HtmlTable(view, language);
   const auto paragraph = [&](const Message& message) {

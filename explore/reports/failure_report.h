@@ -14,6 +14,9 @@ namespace oncard::explore {
 /// "data race: thread 0 reads x in line 3, thread 1 writes it in line 9, and nothing orders them".
 Message DescribeRace(const Subject& subject, const Race& race);
 
+/// `final: x == 2 does not hold: x is 1, expected 2`.
+Message WhatFailed(const Findings& findings, const Failure& failure);
+
 /// For a terminal; ends in a newline.
 std::string FailureText(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language);

@@ -37,6 +37,13 @@ struct CaseSearch {
   std::shared_ptr<const runtime::Scenario> scenario;
 };
 
+/// How a search is repeated, from those who have made it.
+struct Repetition {
+  std::string command = {};   ///< `oncard explore lost.toml --engine=stateful`; empty: unknown
+  std::string schedule = {};  ///< of a failure: the text of its schedule file; empty: unknown
+  std::vector<std::string> searches = {};  ///< its files: `kept.search, 0123456789abcdef`
+};
+
 /// Everything that a report is made from. With `cases` the counts are sums over those that were
 /// searched.
 struct Findings {
@@ -48,10 +55,12 @@ struct Findings {
   std::vector<runtime::RefusedCommand> refused = {};
   /// What a verdict without a failure has not put to the test.
   std::vector<Message> untested = {};
-  WayOut way_out = {};  ///< of an incomplete search
+  bool knows_untested = false;  ///< `untested` is all of it; otherwise the search did not note it
+  WayOut way_out = {};          ///< of an incomplete search
   /// What the supervisor has found in some explored schedule.
   std::vector<runtime::CardFinding> card = {};
   std::optional<CaseSearch> cases = {};
+  Repetition repetition = {};
   // Only if there are no requirements on results:
   End start = {};  ///< the values before the first statement
   std::optional<End> serial_end =
@@ -79,8 +88,9 @@ std::string TextReport(const Findings& findings, Language language,
 /// `min_steps_to_bad` when they are exact, and its `schedule` of at most 10 000 segments.
 std::string JsonReport(const Findings& findings);
 
-/// A self-contained HTML page: the verdict, its scope, the counts, and a failure as a table with
-/// one column per thread.
+/// A self-contained HTML page that can be filed, on a screen or on A4: the verdict, what was asked,
+/// a failure as a table with one column per thread, assumptions, bounds, what was executed in the
+/// source, what was not put to the test, hashes, and how to repeat the search.
 std::string HtmlReport(const Findings& findings, Language language,
                        const ReportOptions& options = {});
 

@@ -427,11 +427,12 @@ std::string TextTable(const StepView& view, int width, Language language) {
 
 std::string HtmlTable(const StepView& view, Language language) {
   const size_t threads = view.subject.threads.size();
-  std::string table = "<table>\n<tr><th></th><th></th>";
+  std::string table =
+      "<div class=\"wide\">\n<table class=\"steps\">\n<thead><tr><th></th><th></th>";
   for (size_t i = 0; i < threads; ++i) {
     table += fmt::format("<th>{}</th>", EscapeMarkup(ThreadHead(view.subject, i, language)));
   }
-  table += "</tr>\n";
+  table += "</tr></thead>\n";
   for (const StepRow& row : RowsOf(view, language).rows) {
     if (row.kind == StepRow::Kind::kTime || row.kind == StepRow::Kind::kHost) {
       table +=
@@ -456,7 +457,7 @@ std::string HtmlTable(const StepView& view, Language language) {
     }
     table += "</td></tr>\n";
   }
-  table += "</table>\n";
+  table += "</table>\n</div>\n";
   const std::string picture = AxisCurve(view.trace).Svg();
   if (picture.empty()) return table;
   return "<div class=\"beside\">\n" + table + picture + "</div>\n";

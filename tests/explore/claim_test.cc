@@ -166,7 +166,7 @@ TEST(ClaimTest, ThePageSaysTheSame) {
   const Findings findings = FindingsOf(kTakeANumber, {});
   const std::string page = HtmlReport(findings, Language::kEnglish);
   for (const char* part :
-       {"<tr><th>asked</th><td>no thread fault, no deadlock, no livelock</td></tr>",
+       {"<li>no thread fault, no deadlock, no livelock</li>",
         "<li><code>next = 2, ret0 = 1, ret1 = 2</code></li>", "<pre>//@ final: next == 2</pre>"}) {
     EXPECT_THAT(page, HasSubstr(part));
   }

@@ -79,7 +79,7 @@ TEST(CoverageTextTest, LinesOfTheSourceAreMarked) {
 
 TEST(CoverageTextTest, ThePageAndTheJsonHaveIt) {
   const Findings findings = FindingsOf(kNeverFive, {});
-  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<tr><th>coverage</th><td>t0: 3 of 4 lines reached"));
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<li>t0: 3 of 4 lines reached"));
   const auto json = nlohmann::json::parse(JsonReport(findings))["coverage"];
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["function"], "t0");

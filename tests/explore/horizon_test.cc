@@ -73,7 +73,7 @@ TEST(HorizonReport, SaysSoInEveryForm) {
   EXPECT_THAT(TextReport(findings, Language::kChinese),
               HasSubstr("PASSED\n未出错，到 30 ms 为止：轴 1 仍在运动\n"));
   EXPECT_THAT(HtmlReport(findings, Language::kEnglish),
-              HasSubstr("<p>no failure up to 30 ms: axis 1 still moves</p>"));
+              HasSubstr("</strong>no failure up to 30 ms: axis 1 still moves</p>"));
   const auto json = nlohmann::json::parse(JsonReport(findings));
   EXPECT_EQ(json["verdict"], "PASSED");
   EXPECT_EQ(json["why"], "no failure up to 30 ms: axis 1 still moves");
@@ -133,7 +133,7 @@ TEST(UntestedTest, ACardAlsoTellsOfLateEvents) {
   EXPECT_THAT(TextReport(findings, Language::kEnglish), HasSubstr("PROVED\nremark: 'never: axis2"));
   EXPECT_THAT(TextReport(findings, Language::kChinese), HasSubstr("PROVED\n注意：“never: axis2"));
   EXPECT_EQ(nlohmann::json::parse(JsonReport(findings))["untested"].size(), 2u);
-  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<p>no run lasts until"));
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<li>no run lasts until"));
 }
 
 TEST(HorizonText, NamesSeveralAndSpeaksChinese) {

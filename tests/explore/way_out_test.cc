@@ -120,7 +120,7 @@ TEST(WayOutTest, IsInEveryReportOfAnIncompleteSearchAlone) {
   const Findings findings = FindingsOf(kPolling, "", options);
   EXPECT_THAT(TextReport(findings, Language::kEnglish), HasSubstr("\nspent on   thread 0 polls"));
   EXPECT_THAT(TextReport(findings, Language::kChinese), HasSubstr("线程 0 在 program.c:4 处轮询"));
-  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<tr><th>try</th>"));
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<h3>What to try</h3>"));
   const auto json = nlohmann::json::parse(JsonReport(findings));
   EXPECT_EQ(json["try"].size(), 5u);
   EXPECT_EQ(JsonReport(FindingsOf(kPolling, "", options)), JsonReport(findings));

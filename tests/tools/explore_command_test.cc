@@ -229,7 +229,7 @@ TEST(Explore, WritesReports) {
   const ScratchFolder scratch;
   const std::string file = scratch.Write("p.c", kLostUpdate);
   RunOncard({"explore", file, "--report", scratch.path() + "/r.html"});
-  EXPECT_THAT(scratch.Read("r.html"), HasSubstr("<h1 class=\"FAILED\">"));
+  EXPECT_THAT(scratch.Read("r.html"), HasSubstr("<p class=\"verdict FAILED\">"));
   RunOncard({"explore", file, "--report", scratch.path() + "/r.json"});
   EXPECT_EQ(Json::parse(scratch.Read("r.json"))["traceEvents"][0]["ph"], "M");
   EXPECT_EQ(RunOncard({"explore", file, "--report", scratch.path() + "/r.txt"}).exit_code, 2);
