@@ -1,4 +1,6 @@
 // oncard explore: checks whether any interleaving of the threads fails.
+#include <xxhash.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -133,10 +135,28 @@ int ReportRefused(const ExploreArguments& arguments, const Invocation& invocatio
   return arguments.strict_commands && !warnings.empty() ? kExitFailed : kExitOk;
 }
 
+/// `kept.search, 0123456789abcdef`.
+std::string HashedFile(const std::string& path, std::string_view text) {
+  return fmt::format("{}, {:016x}", FileNameOf(PathOf(path).filename()),
+                     XXH64(text.data(), text.size(), 0));
+}
+
+/// How a page says that the search is repeated.
+void AddRepetition(const ExploreArguments& arguments, const ExploreSubject& subject,
+                   explore::Findings* findings) {
+  explore::Repetition& repetition = findings->repetition;
+  repetition.command = SameSearch(arguments);
+  // A host runs, and not its threads alone.
+  if (!findings->exploration.failure || !findings->subject.record.empty()) return;
+  auto schedule = explore::FailureSchedule(ExploredOf(subject), *findings, subject.scenario.path);
+  if (schedule.ok()) repetition.schedule = std::move(schedule).value();
+}
+
 /// Writes the requested output. Returns the exit code.
 int Report(const ExploreArguments& arguments, const Invocation& invocation,
            const ExploreSubject& subject, explore::Findings* found) {
   found->source = subject.source;
+  if (arguments.report.ends_with(".html")) AddRepetition(arguments, subject, found);
   const explore::Findings& findings = *found;
   const explore::ReportOptions shown = {arguments.full, OutputWidth()};
   PrintResult(arguments.format == "json"
@@ -194,6 +214,7 @@ int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
   auto findings = GoOn(subject, options, keep_often, &file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   if (written != kExitOk || !keep(file)) return written;
+  findings.value().repetition.searches = {HashedFile(path, explore::FormatSearchFile(file))};
   return Report(arguments, invocation, subject, &findings.value());
 }
 
@@ -255,6 +276,11 @@ int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
   options.progress = watch.progress();
   auto findings = ConcludeSearch(subject, options, file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+  for (const std::string& path : arguments.paths) {
+    const auto text = ReadFile(path);
+    if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
+    findings.value().repetition.searches.push_back(HashedFile(path, text.value()));
+  }
   if (findings.value().exploration.verdict == explore::Verdict::kIncomplete) {
     for (const std::string& part : incomplete) {
       const std::string line = "oncard explore " + part;

@@ -1,8 +1,12 @@
 #include "tools/explore_options.h"
 
+#include <fmt/core.h>
+
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/path_bytes.h"
 #include "explore/engines/sampler.h"
 #include "runtime/scenario/file/scenario_keys.h"
 #include "runtime/scenario/file/search_names.h"
@@ -158,6 +162,39 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
   command.add_flag("--progress", arguments.progress,
                    invocation.Say({"show the progress every second (default on a terminal)",
                                    "每秒显示搜索进度（终端上默认开启）"}));
+}
+
+std::string SameSearch(const ExploreArguments& arguments) {
+  std::string line = "oncard explore";
+  const auto flag = [&](std::string_view name, bool given) {
+    if (given) line += fmt::format(" {}", name);
+  };
+  const auto option = [&](std::string_view name, const auto& value) {
+    line += fmt::format(" {}={}", name, value);
+  };
+  flag("--merge", arguments.merge);
+  for (const std::string& path : arguments.paths) {
+    const std::string name = FileNameOf(PathOf(path).filename());
+    line += name.find_first_of(" '\"$&;()<>|*?") == std::string::npos
+                ? ' ' + name
+                : fmt::format(" \"{}\"", name);
+  }
+  if (!arguments.engine.empty()) option("--engine", arguments.engine);
+  if (arguments.preemptions) option("--preemptions", *arguments.preemptions);
+  flag("--structured", arguments.structured);
+  flag("--merge-private", arguments.merge_private);
+  flag("--no-merge-private", arguments.no_merge_private);
+  flag("--no-islands", arguments.no_islands);
+  flag("--races", arguments.races);
+  flag("--benign", arguments.benign);
+  if (arguments.runs != 0) option("--runs", arguments.runs);
+  if (arguments.seed) option("--seed", *arguments.seed);
+  if (arguments.depth) option("--depth", *arguments.depth);
+  if (arguments.execution_limit != 0) option("--max-executions", arguments.execution_limit);
+  if (arguments.state_limit != 0) option("--max-states", arguments.state_limit);
+  flag("--all", arguments.all);
+  if (!arguments.shard.empty()) option("--shard", arguments.shard);
+  return line;
 }
 
 }  // namespace oncard::tools

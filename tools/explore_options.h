@@ -47,4 +47,8 @@ struct ExploreArguments {
 void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                        ExploreArguments& arguments);
 
+/// The command line that makes the same search again in the folder of its files: with the options
+/// that decide what is found, without those of what is written.
+std::string SameSearch(const ExploreArguments& arguments);
+
 }  // namespace oncard::tools

@@ -235,6 +235,31 @@ TEST(Explore, WritesReports) {
   EXPECT_EQ(RunOncard({"explore", file, "--report", scratch.path() + "/r.txt"}).exit_code, 2);
 }
 
+/// The text of a page's block that begins so.
+std::string BlockOf(const std::string& page, const std::string& begin) {
+  const size_t at = page.find("<pre>" + begin) + 5;
+  std::string text = page.substr(at, page.find("</pre>", at) - at);
+  for (const auto& [from, to] : {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}}) {
+    text = std::regex_replace(text, std::regex(from), to);
+  }
+  return text;
+}
+
+TEST(Explore, APageSaysHowToRepeatIt) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.Write("p.c", kLostUpdate);
+  RunOncard({"explore", "--engine=stateful", "--max-states=1000", file, "--report",
+             scratch.path() + "/r.html"});
+  const std::string page = scratch.Read("r.html");
+  EXPECT_EQ(BlockOf(page, "oncard explore"),
+            "oncard explore p.c --engine=stateful --max-states=1000");
+  EXPECT_EQ(BlockOf(page, "oncard replay"), "oncard replay p.schedule");
+  scratch.Write("p.schedule", BlockOf(page, "oncard-schedule"));
+  const ProcessResult replayed = RunOncard({"replay", scratch.path() + "/p.schedule"});
+  EXPECT_EQ(replayed.exit_code, 1);
+  EXPECT_THAT(replayed.out + replayed.err, HasSubstr("g is 1"));
+}
+
 TEST(Explore, TriesRandomSchedules) {
   const ScratchFolder scratch;
   const std::string file = scratch.Write("p.c", kLostUpdate);
