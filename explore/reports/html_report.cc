@@ -22,7 +22,7 @@ namespace {
 /// A longer schedule is not on the page: `--save` writes it.
 constexpr int64_t kScheduleLinesMax = 400;
 
-/// `why` as a part of a sentence that has begun.
+/// What the verdict says, beside it.
 Message Sentence(const Findings& findings) {
   const Exploration& exploration = findings.exploration;
   switch (exploration.verdict) {

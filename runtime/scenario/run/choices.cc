@@ -313,6 +313,7 @@ Message Choices::DescribeCase(int64_t number) const {
 
 std::vector<CoveredChoice> Choices::Covered(const std::vector<bool>& cases) const {
   std::vector<std::vector<bool>> covered;
+  covered.reserve(choices_.size());
   for (const Choice& choice : choices_) covered.emplace_back(static_cast<size_t>(choice.count));
   for (size_t number = 0; number < cases.size(); ++number) {
     if (!cases[number]) continue;
