@@ -264,6 +264,8 @@ Result<Findings> ConcludeUnits(const KeptCases& cases, const ExploreOptions& opt
     sums.verdict = Verdict::kFailed;
     sums.engine = shown->exploration.engine;
     sums.failure = std::move(shown->exploration.failure);
+    // The file does not say them.
+    sums.races = std::move(shown->exploration.races);
   } else if (!file.done()) {
     sums.verdict = Verdict::kIncomplete;
     sums.why = WhyNotProved(file);

@@ -475,6 +475,10 @@ void CardModel::Execute(State* state, int thread) {
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
   const Race race = NoteRaces(state, thread);
+  if (race) {
+    const bool in_order = race.first.thread < race.second.thread;
+    races_met_.insert(in_order ? race : Race{race.cell, race.second, race.first});
+  }
   --state->left;
   state->served |= 1u << number;
   state->choices = 0;

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,9 @@ class CardModel {
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
   /// What the supervisor has found in them.
   const std::vector<runtime::CardFinding>& found() const { return supervisor_->findings(); }
+  /// The races of statements in them, each once, whichever was first: `first` belongs to the thread
+  /// with the smaller number. A run goes on to its first race.
+  const std::set<Race>& races_met() const { return races_met_; }
 
   /// The first state in which a thread can run, or the end.
   State Start();
@@ -271,7 +275,8 @@ class CardModel {
   std::vector<ThreadSetup> setups_;
   std::vector<BoundRequirement> requirements_;
   std::shared_ptr<const CardRaces> races_;  ///< before the first statement; nullptr: any is allowed
-  uint32_t fault_expected_ = 0;             ///< threads whose error an expectation names
+  std::set<Race> races_met_;
+  uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names
   runtime::AssertWatch asserts_;
   Message assert_values_;
   bool has_invariants_ = false;     ///< or kEventually

@@ -665,6 +665,7 @@ void BoundByHorizon(const Horizon& horizon, Exploration* exploration) {
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
   Exploration exploration = SearchCard(model, options);
   exploration.coverage = model->coverage();
+  for (const Race& race : model->races_met()) exploration.races.push_back({race, false});
   BoundByHorizon(model->horizon(), &exploration);
   return exploration;
 }

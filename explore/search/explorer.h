@@ -139,8 +139,9 @@ struct Exploration {
   std::optional<ReducedCounts> reduced;
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
-  std::vector<FoundRace>
-      races;  ///< all races of the program, if the stateful engine searched for them
+  /// All races of the program, if the stateful engine searched for them to its end; with a card
+  /// those with which runs end.
+  std::vector<FoundRace> races;
   /// Different ends, the smallest few; if there are no requirements on results.
   std::vector<End> ends;
   std::optional<Failure> failure;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/random.h"
@@ -17,6 +18,7 @@
 namespace oncard::explore {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr const char* kNoRaces = "races = \"none\"\nrate = 100\n";
@@ -24,6 +26,36 @@ constexpr const char* kNoRaces = "races = \"none\"\nrate = 100\n";
 /// The two bodies as threads 0 and 1, each in a line of its own, after a line with the globals.
 std::string TwoBodies(const std::string& one, const std::string& other) {
   return "int g, f, s, w;\nint t0() { int l; " + one + " }\nint t1() { int l; " + other + " }\n";
+}
+
+/// What the report lists.
+std::vector<std::string> RacesOf(const Findings& findings) {
+  std::vector<std::string> races;
+  for (const FoundRace& found : findings.exploration.races) {
+    races.push_back(DescribeRace(findings.subject, found.race).en);
+  }
+  return races;
+}
+
+// In some schedules axis 1 ends the run and in others axis 2, and either thread can be the first
+// one.
+TEST(CardRaces, AreListedEachOnceWithBothPlaces) {
+  const Findings findings = FindingsOf(
+      "int t0() {\n  GT_SetVel(1, 5);\n  GT_SetVel(2, 5);\n  return 0;\n}\n"
+      "int t1() {\n  GT_Stop(2, 0);\n  GT_Stop(1, 0);\n  return 0;\n}\n",
+      kNoRaces, {.all = true});
+  EXPECT_THAT(RacesOf(findings),
+              ElementsAre("threads 0 and 1 both command axis 1: GT_SetVel in line 2, GT_Stop in "
+                          "line 8; nothing orders them",
+                          "threads 0 and 1 both command axis 2: GT_SetVel in line 3, GT_Stop in "
+                          "line 7; nothing orders them"));
+  const auto json = nlohmann::json::parse(JsonReport(findings));
+  ASSERT_EQ(json["races"].size(), 2u);
+  EXPECT_EQ(json["races"][0]["what"], "axis 1");
+  EXPECT_EQ(json["races"][0]["statements"][1]["line"], 8);
+  EXPECT_THAT(TextReport(findings, Language::kEnglish),
+              HasSubstr("\nthreads 0 and 1 both command axis 2: GT_SetVel in line 3, GT_Stop in "
+                        "line 7; nothing orders them\n"));
 }
 
 struct OwnerCase {
