@@ -6,6 +6,7 @@
 
 #include "base/limits.h"
 #include "compiler/condition.h"
+#include "compiler/header_types.h"
 #include "compiler/include_files.h"
 #include "compiler/lexer.h"
 #include "compiler/parser.hh"
@@ -16,10 +17,6 @@ namespace {
 using Kind = Parser::token;
 
 constexpr int kIncludeDepthMax = 32;
-/// The vendor's header for hosts. Its commands and structures are known without it.
-constexpr std::string_view kVendorHeader = "gts.h";
-/// The headers of C that only define what structured C has.
-constexpr std::string_view kBoolHeader = "stdbool.h";
 
 Token NumberToken(const Token& like, bool value) {
   Token token = like;
@@ -336,6 +333,26 @@ bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macr
   return true;
 }
 
+// Defines the macros of a header whose name has this range.
+void Preprocessor::DefineKnown(std::string_view text, SourceRange range) {
+  skipped_.push_back(range);
+  if (text.empty()) return;
+  // Tokens point into its text, which no file of the program holds.
+  const SourceFile& file = headers_.emplace_back(std::string(), std::string(text));
+  std::vector<Token> tokens =
+      Tokenize(file, range.file, kTokenMax, *options_.catalogue, reporter_, Dialect::kStructured);
+  const Line all(tokens);
+  for (size_t begin = 0, end = 1; begin < tokens.size(); begin = end++) {
+    while (end < tokens.size() && !tokens[end].on_new_line) ++end;
+    MacroDefinition macro;
+    macro.name = tokens[begin + 2].text;
+    macro.name_range = range;
+    const Line body = all.subspan(begin + 3, end - begin - 3);
+    macro.body.assign(body.begin(), body.end());
+    if (macros_.Find(macro.name) == nullptr) macros_.Define(std::move(macro));
+  }
+}
+
 void Preprocessor::Include(Line line, SourceRange whole, int depth) {
   SourceRange range = whole;
   if (line.size() > 2) range.begin = line[2].range.begin;
@@ -354,8 +371,9 @@ void Preprocessor::Include(Line line, SourceRange whole, int depth) {
   const std::string file_name(name.substr(1, name.size() - 2));
   const std::string_view last_part =
       std::string_view(file_name).substr(file_name.find_last_of("/\\") + 1);
-  if (last_part == kVendorHeader || last_part == kBoolHeader) {
-    skipped_.push_back(range);
+  const std::optional<std::string_view> known = TextOfKnownHeader(last_part);
+  if (known && (angles || known->empty())) {
+    DefineKnown(*known, range);
     return;
   }
   if (angles) {
@@ -381,6 +399,10 @@ void Preprocessor::Include(Line line, SourceRange whole, int depth) {
   std::vector<std::string> beside = {includer};
   if (whole.file != 0) beside.push_back(files_.PathOf(0));
   IncludedFile file = FindInclude(file_name, beside, options_, reader_);
+  if (!file.found && known && !file.unreadable) {
+    DefineKnown(*known, range);
+    return;
+  }
   if (!file.found) {
     ReportMissingInclude(file_name, range, file, options_, reporter_);
     return;

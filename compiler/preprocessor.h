@@ -39,6 +39,8 @@ class Preprocessor {
   /// not: the offset of the directive.
   std::deque<SourceFile>& files() { return files_.files(); }
   std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
+  /// The headers of C that were included, to which tokens may point, too.
+  std::deque<SourceFile>& headers() { return headers_; }
   MacroExpander& macros() { return macros_; }
   /// After Run(): true for a place in text that is not read, such as behind `#if 0`.
   bool IsSkipped(const SourceRange& place) const;
@@ -65,6 +67,7 @@ class Preprocessor {
   bool NameAfter(Line line, SourceRange whole, const Token** name);
   void Define(Line line, SourceRange whole);
   bool ReadParameters(Line line, size_t* next, MacroDefinition* macro);
+  void DefineKnown(std::string_view text, SourceRange range);
   void Include(Line line, SourceRange whole, int depth);
   void DropReportsOfSkippedText();
 
@@ -73,6 +76,7 @@ class Preprocessor {
   Reporter& reporter_;
   MacroExpander macros_;
   ProgramFiles files_;
+  std::deque<SourceFile> headers_;
   std::vector<Token> tokens_;
   std::vector<Conditional> conditionals_;
   SourceRange program_include_;       // the #include of the program that is being obeyed

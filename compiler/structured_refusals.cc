@@ -48,8 +48,6 @@ class Refusals {
   void VisitDeclaration(const Statement& statement);
   Diagnostic& ReportPointer(const Declarator& declarator, SourceRange place);
   void VisitSizesAndValues(const Declarator& declarator);
-  bool ReportHeaderType(const Specifiers& specifiers, std::string_view base,
-                        std::string_view spelled);
   void VisitSpecifiers(const Specifiers& specifiers, Use use);
   void VisitType(const TypeName& type);
   void Visit(const Expression* expression);
@@ -225,7 +223,9 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     }
   }
   const bool sized = longs + shorts > 0;
-  if (longs == 2 && shorts == 0 && signs <= 1 && IsIn(base, {"", "int"})) {
+  const std::string_view header_type = TypeForHeaderType(base);
+  if ((longs == 2 && shorts == 0 && signs <= 1 && IsIn(base, {"", "int"})) ||
+      header_type.ends_with("long long")) {
     reporter_.Report(Code::kLongLong, specifiers.range, spelled);
     return;
   }
@@ -242,31 +242,14 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     const gtcalls::Structure* structure = options_.catalogue->FindStructure(base);
     good =
         good &&
-        (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) ||
+        (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) || !header_type.empty() ||
          (base == "void" && (use == Use::kFunction || use == Use::kCast || use == Use::kPointer)) ||
          (structure != nullptr && structure->in_motion_program));
   }
-  if (ReportHeaderType(specifiers, base, spelled)) return;
   const bool skipped = specifiers.words.size() == 1 && skipped_names_.contains(base);
   if (good || skipped) return;
   reporter_.Report(Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
                    kTypes);
-}
-
-// Reports `int32_t` and others, with the type to write instead.
-bool Refusals::ReportHeaderType(const Specifiers& specifiers, std::string_view base,
-                                std::string_view spelled) {
-  const std::string_view type = TypeForHeaderType(base);
-  if (type.empty()) return false;
-  const auto word = std::find_if(specifiers.words.begin(), specifiers.words.end(),
-                                 [base](const Token* one) { return one->text == base; });
-  if (type.ends_with("long long")) {
-    reporter_.Report(Code::kLongLong, specifiers.range, spelled);
-  } else {
-    const SourceRange range = (*word)->range;
-    Replace(reporter_.Report(Code::kForeignType, range, base, type), range, std::string(type));
-  }
-  return true;
 }
 
 void Refusals::VisitType(const TypeName& type) {

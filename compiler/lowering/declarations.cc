@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/header_types.h"
 #include "compiler/lowering/lowerer.h"
 #include "vm/limits.h"
 
@@ -42,8 +43,10 @@ Type Lowerer::ResolveType(const Specifiers& specifiers) const {
   for (const Token* token : specifiers.words) {
     const std::string_view word = token->text;
     type.is_const |= word == "const";
-    words.is_short |= word == "short";
-    words.is_unsigned |= word == "unsigned";
+    const std::string_view header_type = TypeForHeaderType(word);
+    words.is_short |= word == "short" || header_type.ends_with("short");
+    words.is_unsigned |= word == "unsigned" || header_type.starts_with("unsigned");
+    if (header_type.ends_with("char")) words.base = "char";
     if (std::find(std::begin(kBases), std::end(kBases), word) != std::end(kBases)) {
       words.base = word;
     }

@@ -133,7 +133,6 @@ std::string Corrected(const std::string& text) {
 
 TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
   const Row rows[] = {
-      {"int32_t a;\nuint8_t b = (int16_t)1;", "int a;\nunsigned char b = (short)1;"},
       {"void t0() { v = L'x' + u8'\\n'; }", "void t0() { v = 'x' + '\\n'; }"},
       {"int a;\ntypedef unsigned char byte;\nbyte b;",
        "int a;\n#define byte unsigned char\nbyte b;"},
