@@ -1,6 +1,6 @@
 // The macros of structured C and their expansion, as C defines it: arguments are expanded once,
-// before they replace a parameter, the result is read again, and a macro is not expanded inside
-// itself. Tested by tests/compiler/preprocessor_test.cc.
+// before they replace a parameter, `#` makes text and `##` one word, the result is read again, and
+// a macro is not expanded inside itself. Tested by tests/compiler/preprocessor_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
+#include "gtcalls/catalogue.h"
 
 namespace oncard::compiler {
 
@@ -23,9 +24,13 @@ struct MacroDefinition {
   SourceRange name_range;
   bool has_parameters = false;  ///< also with none in its parentheses
   std::vector<std::string_view> parameters;
-  std::vector<Token> body;
+  bool is_variadic = false;       ///< the last parameter takes all further arguments
+  std::vector<Token> body;        ///< `##` is one token
   std::vector<int> parameter_of;  ///< for each token of the body: the parameter it names, or -1
 };
+
+/// Whether a token of a body is `##`.
+bool IsJoining(const Token& token);
 
 /// Which macros a text uses, and where.
 class MacroUses {
@@ -45,8 +50,11 @@ class MacroUses {
 
 class MacroExpander {
  public:
-  /// The reporter must outlive this object, and the text of all tokens what is expanded.
-  explicit MacroExpander(Reporter& reporter) : reporter_(reporter) {}
+  /// The references must outlive this object, and the text of all tokens what is expanded. `made`
+  /// gets the texts that macros make, to which tokens may point.
+  MacroExpander(const gtcalls::Catalogue& catalogue, Reporter& reporter,
+                std::deque<SourceFile>& made)
+      : catalogue_(catalogue), reporter_(reporter), made_(made) {}
 
   /// The macro of a name, or nullptr.
   const MacroDefinition* Find(std::string_view name) const;
@@ -88,14 +96,20 @@ class MacroExpander {
   void Enter(Expansion& expansion, const MacroDefinition& macro, std::vector<Piece> body);
   bool ReadArguments(Expansion& expansion, const MacroDefinition& macro, SourceRange* use,
                      Arguments* arguments);
-  static bool FindArguments(Source& source, SourceRange* use, Arguments* arguments);
-  bool CollectArguments(Expansion& expansion, SourceRange* use, Arguments* arguments);
+  static bool FindArguments(const MacroDefinition& macro, Source& source, SourceRange* use,
+                            Arguments* arguments);
+  bool CollectArguments(const MacroDefinition& macro, Expansion& expansion, SourceRange* use,
+                        Arguments* arguments);
   bool Substitute(const Expansion& expansion, const MacroDefinition& macro,
                   const Arguments& arguments, SourceRange use, std::vector<Piece>* body);
+  Piece MakeText(Pieces argument, SourceRange range);
+  Piece Join(const MacroDefinition& macro, const Piece& left, const Piece& right);
   static Piece Invalid(SourceRange range);
   bool Count(size_t tokens);
 
+  const gtcalls::Catalogue& catalogue_;
   Reporter& reporter_;
+  std::deque<SourceFile>& made_;
   std::deque<MacroDefinition> definitions_;
   std::unordered_map<std::string_view, const MacroDefinition*> macros_;
   std::unordered_set<const MacroDefinition*> open_;  // those whose bodies are being read

@@ -17,6 +17,8 @@ namespace {
 using Kind = Parser::token;
 
 constexpr int kIncludeDepthMax = 32;
+// The arguments for `...`.
+constexpr std::string_view kVariadicName = "__VA_ARGS__";
 
 Token NumberToken(const Token& like, bool value) {
   Token token = like;
@@ -28,7 +30,8 @@ Token NumberToken(const Token& like, bool value) {
 
 // Bodies are equal if their words are.
 bool SameBody(const MacroDefinition& a, const MacroDefinition& b) {
-  return a.has_parameters == b.has_parameters && a.parameters == b.parameters &&
+  return a.has_parameters == b.has_parameters && a.is_variadic == b.is_variadic &&
+         a.parameters == b.parameters &&
          std::equal(a.body.begin(), a.body.end(), b.body.begin(), b.body.end(),
                     [](const Token& x, const Token& y) { return x.text == y.text; });
 }
@@ -265,18 +268,7 @@ void Preprocessor::Define(Line line, SourceRange whole) {
     macro.has_parameters = true;
     if (!ReadParameters(line, &next, &macro)) return;
   }
-  macro.body.assign(line.begin() + static_cast<std::ptrdiff_t>(next), line.end());
-  for (const Token& token : macro.body) {
-    if (token.kind != Kind::kHash) continue;
-    const std::string_view text = files_.TextOf(whole.file);
-    const bool joins = text.substr(token.range.begin, 2) == "##";
-    reporter_.Report(Code::kMacroOperator, token.range, std::string_view(joins ? "##" : "#"),
-                     joins ? MakeMessage("joins words; write out the word that is meant",
-                                         "会连接单词；请直接写出所需的单词")
-                           : MakeMessage("makes text, which the card does not have",
-                                         "会生成字符串，而控制卡没有字符串"));
-    return;
-  }
+  if (!ReadBody(line.subspan(std::min(next, line.size())), &macro)) return;
   const MacroDefinition* const earlier = macros_.Find(macro.name);
   if (earlier != nullptr && !SameBody(*earlier, macro)) {
     AddNote(reporter_.Report(Code::kRedefinition, macro.name_range, macro.name),
@@ -286,6 +278,39 @@ void Preprocessor::Define(Line line, SourceRange whole) {
     return;
   }
   if (earlier == nullptr) macros_.Define(std::move(macro));
+}
+
+// Reads the body of a macro. False, with a report, if `#` or `##` have no operand in it.
+bool Preprocessor::ReadBody(Line words, MacroDefinition* macro) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    Token token = words[i];
+    const std::string_view text = files_.TextOf(token.range.file);
+    if (token.kind == Kind::kHash && text.substr(token.range.begin, 2) == "##") {
+      token.range.end = words[++i].range.end;
+      token.text = text.substr(token.range.begin, 2);
+    }
+    macro->body.push_back(token);
+  }
+  const std::vector<Token>& body = macro->body;
+  for (size_t i = 0; i < body.size(); ++i) {
+    if (body[i].kind != Kind::kHash) continue;
+    const auto& names = macro->parameters;
+    if (IsJoining(body[i])) {
+      if (i > 0 && i + 1 < body.size()) continue;
+      reporter_.Report(
+          Code::kMacroOperator, body[i].range, body[i].text,
+          MakeMessage("has no word on one side; it joins two", "有一侧没有单词；它连接两个单词"));
+      return false;
+    }
+    const bool parameter = i + 1 < body.size() &&
+                           std::find(names.begin(), names.end(), body[i + 1].text) != names.end();
+    if (parameter || !macro->has_parameters) continue;
+    reporter_.Report(
+        Code::kMacroOperator, body[i].range, body[i].text,
+        MakeMessage("stands before the name of a parameter only", "只能位于参数的名称之前"));
+    return false;
+  }
+  return true;
 }
 
 // Reads `(a, b)`; `next` becomes the place after it.
@@ -302,11 +327,13 @@ bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macr
       wants_name = true;
       continue;
     }
-    if (wants_name && kind_at(at) == Kind::kEllipsis) {
-      reporter_.Report(
-          Code::kNotForTheCard, line[at].range, line[at].text,
-          MakeMessage("a macro has a fixed number of parameters", "宏的参数个数是固定的"));
-      return false;
+    // `...`, or `rest...` as some compilers have it, is the last one.
+    if (kind_at(at) == Kind::kEllipsis && !macro->is_variadic && (wants_name || !known.empty()) &&
+        kind_at(at + 1) == Kind::kCloseParen) {
+      macro->is_variadic = true;
+      if (wants_name) macro->parameters.push_back(kVariadicName);
+      wants_name = false;
+      continue;
     }
     const bool name = wants_name && at < line.size() && IsWord(line[at]);
     if (!name) {
@@ -338,7 +365,7 @@ void Preprocessor::DefineKnown(std::string_view text, SourceRange range) {
   skipped_.push_back(range);
   if (text.empty()) return;
   // Tokens point into its text, which no file of the program holds.
-  const SourceFile& file = headers_.emplace_back(std::string(), std::string(text));
+  const SourceFile& file = made_.emplace_back(std::string(), std::string(text));
   std::vector<Token> tokens =
       Tokenize(file, range.file, kTokenMax, *options_.catalogue, reporter_, Dialect::kStructured);
   const Line all(tokens);

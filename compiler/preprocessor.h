@@ -27,7 +27,7 @@ class Preprocessor {
       : options_(options),
         reader_(reader),
         reporter_(reporter),
-        macros_(reporter),
+        macros_(*options.catalogue, reporter, made_),
         files_(options, reporter, Dialect::kStructured) {}
 
   /// Reads the program, given as text. Call once.
@@ -39,8 +39,8 @@ class Preprocessor {
   /// not: the offset of the directive.
   std::deque<SourceFile>& files() { return files_.files(); }
   std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
-  /// The headers of C that were included, to which tokens may point, too.
-  std::deque<SourceFile>& headers() { return headers_; }
+  /// Texts of no file, to which tokens may point, too: headers of C, and words that macros made.
+  std::deque<SourceFile>& made() { return made_; }
   MacroExpander& macros() { return macros_; }
   /// After Run(): true for a place in text that is not read, such as behind `#if 0`.
   bool IsSkipped(const SourceRange& place) const;
@@ -66,6 +66,7 @@ class Preprocessor {
   std::optional<bool> Condition(Line line, SourceRange whole, std::string_view word);
   bool NameAfter(Line line, SourceRange whole, const Token** name);
   void Define(Line line, SourceRange whole);
+  bool ReadBody(Line words, MacroDefinition* macro);
   bool ReadParameters(Line line, size_t* next, MacroDefinition* macro);
   void DefineKnown(std::string_view text, SourceRange range);
   void Include(Line line, SourceRange whole, int depth);
@@ -74,9 +75,9 @@ class Preprocessor {
   const Options& options_;
   const FileReader& reader_;
   Reporter& reporter_;
+  std::deque<SourceFile> made_;
   MacroExpander macros_;
   ProgramFiles files_;
-  std::deque<SourceFile> headers_;
   std::vector<Token> tokens_;
   std::vector<Conditional> conditionals_;
   SourceRange program_include_;       // the #include of the program that is being obeyed

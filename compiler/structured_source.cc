@@ -12,7 +12,7 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   Preprocessor preprocessor(options, reader, reporter);
   preprocessor.Run(SourceFile(path, std::move(text)));
   files_ = std::move(preprocessor.files());
-  headers_ = std::move(preprocessor.headers());
+  made_ = std::move(preprocessor.made());
   inclusion_points_ = std::move(preprocessor.inclusion_points());
   macro_uses_ = std::move(preprocessor.macros().uses());
   asserts_ = FindAsserts(files_);

@@ -51,7 +51,7 @@ class StructuredSource {
 
  private:
   std::deque<SourceFile> files_;
-  std::deque<SourceFile> headers_;  // of C
+  std::deque<SourceFile> made_;  // texts of no file
   std::vector<uint32_t> inclusion_points_;
   MacroUses macro_uses_;
   std::vector<AssertComment> asserts_;

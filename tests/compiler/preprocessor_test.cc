@@ -51,6 +51,28 @@ TEST_P(PreprocessorTest, ProgramBecomesTheseTokensOrErrors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    MacroOperators, PreprocessorTest,
+    testing::Values(
+        // ## joins words, not expanded, to one that is read again.
+        Case{"#define J(a, b) a##b\nJ(x, 1) J(1, 2) J(<, <=)", "x1 12 <<="},
+        Case{"#define A 1\n#define J(a, b) a ## b\n#define K(a, b) J(a, b)\n#define AA 7\n"
+             "J(A, A) K(A, A)",
+             "7 11"},
+        Case{"#define J(a, b, c) a##b##c\nJ(x, , y) J(, , y) J(x, , ) J(, , ) z", "xy y x z"},
+        Case{"#define X a##1 b\nX", "a1 b"},
+        // # makes text of an argument as it is written.
+        Case{"#define A 1\n#define S(a) #a\nS(A + b) S( x ) S(\"q\\n\") S()",
+             "\"A + b\" \"x\" \"\\\"q\\\\n\\\"\" \"\""},
+        Case{"#define H # 1\n#define T(a)\nT(#) 1", "1"},
+        // `...` takes the rest, with its commas; `, ##` drops the comma if there is none.
+        Case{"#define L(...) f(__VA_ARGS__)\nL(1, (2, 3)) L()", "f ( 1 , ( 2 , 3 ) ) f ( )"},
+        Case{"#define L(a, ...) f(a, ##__VA_ARGS__)\nL(1) L(1, 2, 3)", "f ( 1 ) f ( 1 , 2 , 3 )"},
+        Case{"#define L(a, rest...) f(a, ##rest)\n#define B L(1, 2\nB, 3) L(1)",
+             "f ( 1 , 2 , 3 ) f ( 1 )"},
+        Case{"#define E\n#define L(a, ...) f(a, __VA_ARGS__)\nL(1) L(1, E)",
+             "f ( 1 , ) f ( 1 , )"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Macros, PreprocessorTest,
     testing::Values(
         // A name stands for its body, whatever that is, also for nothing and for a keyword.
@@ -112,10 +134,11 @@ INSTANTIATE_TEST_SUITE_P(
         // What is refused.
         Case{"#define F(a, b) a\nF(1)", "MP209:2"}, Case{"#define F(a) a\nF(1, 2)", "MP209:2"},
         Case{"#define F() 1\nF(2)", "MP209:2"}, Case{"#define F(a, b) a\nF()", "MP209:2"},
-        Case{"#define S(a) #a\n", "MP210:1"}, Case{"#define J(a, b) a##b\n", "MP210:1"},
+        Case{"#define S(a) #b\n", "MP210:1"}, Case{"#define J(a) a##\n", "MP210:1"},
+        Case{"#define J ## 1\n", "MP210:1"}, Case{"#define J(a, b) a##b\n\nJ(x, -)", "MP210:3"},
         Case{"#define F(a) a\nF(1\n#define G\n)", "MP213:2"},
-        Case{"#define F(a) a\nx F(", "MP213:2"}, Case{"#define P(...) 1\n", "MP206:1"},
-        Case{"#define P(a, ...) 1\n", "MP206:1"}, Case{"#define F(a, a) 1\n", "MP013:1"},
+        Case{"#define F(a) a\nx F(", "MP213:2"}, Case{"#define P(..., a) 1\n", "MP131:1"},
+        Case{"#define P(a, ...) 1\nP()", "1"}, Case{"#define F(a, a) 1\n", "MP013:1"},
         Case{"#define F(a b) 1\n", "MP131:1"}, Case{"#define F(1) 1\n", "MP131:1"},
         Case{"#define F(a,) 1\n", "MP131:1"}, Case{"#define F(a\n", "MP131:1"},
         Case{"#define\n", "MP128:1"}, Case{"#define 5 6\n", "MP128:1"},
