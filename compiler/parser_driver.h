@@ -42,8 +42,9 @@ class ParserDriver {
   /// True if recovery does not get past a token; the rest of the file is then skipped.
   bool Stalled() const { return errors_here_ > kErrorsHereMax; }
 
-  /// Refuses a second function in one declaration, `int f(int a), g(int a);`.
-  void RefuseOtherFunction(const Token* name);
+  /// Makes a prototype of a function, with others of its type: `int f(int a), g(int a);`. The
+  /// card's language has one function in a declaration.
+  void AddPrototypes(Function& first, std::vector<std::unique_ptr<Function>> others);
 
   // --- Building blocks of the tree that need the reporter -------------------------------------
 

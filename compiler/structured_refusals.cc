@@ -43,6 +43,7 @@ class Refusals {
   enum class Use : uint8_t { kVariable, kParameter, kFunction, kCast, kPointer };
 
   void VisitFunction(const Function& function);
+  void VisitHead(const Function& function);
   void VisitStatement(const Statement& statement);
   void VisitBody(const Statement* body, std::string_view word);
   void VisitDeclaration(const Statement& statement);
@@ -89,6 +90,16 @@ void Refusals::VisitFunction(const Function& function) {
     return;
   }
   VisitSpecifiers(function.specifiers, Use::kFunction);
+  VisitHead(function);
+  for (const std::unique_ptr<Function>& other : function.others) VisitHead(*other);
+  if (function.prototype) return;
+  function_ = function.name;
+  for (const StatementPtr& item : function.body) VisitStatement(*item);
+  function_ = {};
+}
+
+// The name and the parameters.
+void Refusals::VisitHead(const Function& function) {
   if (function.pointer) reporter_.Report(Code::kPointer, function.name_range, function.name);
   for (const ParameterDeclaration& parameter : function.parameters) {
     const Declarator& declarator = parameter.declarator;
@@ -114,10 +125,6 @@ void Refusals::VisitFunction(const Function& function) {
       reporter_.Report(Code::kExpectedName, end, MakeMessage("only a type", "只有类型"));
     }
   }
-  if (function.prototype) return;
-  function_ = function.name;
-  for (const StatementPtr& item : function.body) VisitStatement(*item);
-  function_ = {};
 }
 
 void Refusals::VisitStatement(const Statement& statement) {
@@ -199,15 +206,11 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     const std::string_view text = word->text;
     if (!spelled.empty()) spelled += ' ';
     spelled += text;
-    if (text == "extern" && use != Use::kFunction) {
-      reporter_.Report(Code::kReservedWord, word->range, text,
-                       MakeMessage("leave it out", "请去掉它"));
-    }
     if (word->kind == Kind::kStatic || word->kind == Kind::kConst || word->kind == Kind::kExtern ||
         word->kind == Kind::kQualifier) {
       const bool allowed =
           use == Use::kVariable || use == Use::kFunction || use == Use::kPointer ||
-          IsIn(text, {"const", "volatile", "__volatile", "__volatile__", "register", "extern"});
+          IsIn(text, {"const", "volatile", "__volatile", "__volatile__", "register"});
       good = good && allowed;
       continue;
     }

@@ -135,6 +135,8 @@ struct Function {
   SourceRange open_brace;
   SourceRange close_brace;
   bool prototype = false;  ///< `int f();`
+  /// The others of `int f(), g();`, in structured C.
+  std::vector<std::unique_ptr<Function>> others;
 };
 
 struct Statement {

@@ -135,18 +135,6 @@ void ParserDriver::DefineType(Diagnostic& diagnostic) const {
           "#define " + std::string(tokens_[name].text) + ' ' + type);
 }
 
-void ParserDriver::RefuseOtherFunction(const Token* name) {
-  skipped_names_.insert(name->text);
-  if (dialect_ == Dialect::kCard) {
-    reporter_.Report(Code::kUnexpected, name->range, DescribeToken(*name),
-                     MakeMessage("a declaration of its own", "单独的声明"));
-    return;
-  }
-  reporter_.Report(
-      Code::kNotForTheCard, name->range, name->text,
-      MakeMessage("declare each function in a statement of its own", "请用单独的语句声明每个函数"));
-}
-
 // A syntax error for which structured C knows better than the expected tokens what is meant.
 bool ParserDriver::ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects) {
   const Token& found = *last_;

@@ -1,4 +1,6 @@
 // The nodes of the syntax tree, as the parser builds them.
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "compiler/parser_driver.h"
@@ -229,6 +231,24 @@ StatementPtr ParserDriver::Return(SourceRange keyword, ExpressionPtr value, Sour
   statement->keyword = keyword;
   statement->value = std::move(value);
   return statement;
+}
+
+void ParserDriver::AddPrototypes(Function& first, std::vector<std::unique_ptr<Function>> others) {
+  first.prototype = true;
+  for (const std::unique_ptr<Function>& other : others) {
+    if (dialect_ == Dialect::kCard) {
+      skipped_names_.insert(other->name);
+      reporter_.Report(Code::kUnexpected, other->name_range,
+                       ToMessage(fmt::format("'{}'", other->name)),
+                       MakeMessage("a declaration of its own", "单独的声明"));
+      continue;
+    }
+    other->prototype = true;
+    other->specifiers.range = first.specifiers.range;
+    other->specifiers.words = first.specifiers.words;
+    other->close_brace = first.close_brace;
+  }
+  if (dialect_ == Dialect::kStructured) first.others = std::move(others);
 }
 
 StatementPtr ParserDriver::FunctionItem(std::unique_ptr<Function> function, SourceRange range) {

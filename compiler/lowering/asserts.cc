@@ -139,7 +139,7 @@ void Lowerer::EmitAsserts(const Statement& statement) {
       const Symbol* symbol = name ? Lookup(word) : nullptr;
       member = word == ".";
       const bool part = symbol != nullptr && rest.starts_with('.');
-      const bool known = symbol != nullptr && !symbol->invalid &&
+      const bool known = symbol != nullptr && IsUsable(*symbol, word) &&
                          symbol->kind != Symbol::Kind::kFunction &&
                          (!part || symbol->type.structure != nullptr);
       if (!known) {

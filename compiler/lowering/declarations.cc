@@ -29,6 +29,12 @@ BasicType TypeOfWords(const Words& words) {
   return words.is_unsigned ? BasicType::kUnsigned : BasicType::kInt;
 }
 
+Message WhyNoExtern() {
+  return MakeMessage(
+      "it is declared 'extern' and defined nowhere in the program; leave 'extern' out",
+      "它声明为 'extern'，而程序中没有定义；请去掉 'extern'");
+}
+
 }  // namespace
 
 bool Lowerer::HasWord(const Specifiers& specifiers, std::string_view word) const {
@@ -191,12 +197,11 @@ void Lowerer::LowerDeclaration(const Statement& statement) {
   const Type type = ResolveType(statement.specifiers);
   for (const Declarator& declarator : statement.declarators) {
     if (DeclareConstant(declarator, type)) continue;
+    const bool is_extern = HasWord(statement.specifiers, "extern");
     if (frame_ == nullptr) {
-      DeclareGlobal(declarator, type);
-    } else if (HasWord(statement.specifiers, "extern")) {
-      if (Lookup(declarator.name) == nullptr) {
-        Report(Code::kUndeclared, declarator.name_range, declarator.name);
-      }
+      DeclareGlobal(declarator, type, is_extern);
+    } else if (is_extern) {
+      DeclareExtern(declarator);
     } else {
       DeclareLocal(declarator, type, HasWord(statement.specifiers, "static"));
     }
@@ -218,6 +223,12 @@ bool Lowerer::DeclareConstant(const Declarator& declarator, const Type& type) {
   symbol.type = type;
   symbol.range = declarator.name_range;
   symbol.constant = *converted;
+  const auto known = frame_ == nullptr ? scopes_[0].find(declarator.name) : scopes_[0].end();
+  if (known != scopes_[0].end() && known->second.is_extern) {
+    symbol.order = known->second.order;
+    known->second = std::move(symbol);
+    return true;
+  }
   Define(declarator.name, std::move(symbol));
   return true;
 }
@@ -232,8 +243,9 @@ int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
 
 }  // namespace
 
-// `[]` has as many rows as there are values for.
-void Lowerer::SetDimensions(const Declarator& declarator, Symbol& symbol) {
+// `[]` has as many rows as there are values for; in `extern int a[];` a later declaration says how
+// many.
+void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
   std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
   symbol.invalid = !dimensions;
   if (!dimensions) return;
@@ -245,7 +257,7 @@ void Lowerer::SetDimensions(const Declarator& declarator, Symbol& symbol) {
            MakeMessage("declare several variables", "请声明多个变量"));
     return;
   }
-  if (symbol.dimensions[0] != 0) return;
+  if (symbol.dimensions[0] != 0 || (is_extern && declarator.initialiser == nullptr)) return;
   const std::optional<Elements> elements = ElementsOf(declarator, symbol);
   symbol.invalid = !elements;
   if (!elements) return;
@@ -261,29 +273,74 @@ void Lowerer::CheckNameLength(std::string_view name, SourceRange range) {
          int64_t{vm::kNameLengthMax});
 }
 
-void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type) {
+// Whether a declaration of a global may stand after another one, as `int g;` after `extern int g;`.
+bool Lowerer::Redeclares(const Symbol& first, const Symbol& symbol) {
+  const std::vector<int64_t>& before = first.dimensions;
+  const std::vector<int64_t>& now = symbol.dimensions;
+  const bool same_type = first.kind == Symbol::Kind::kVariable && !first.invalid &&
+                         first.type.basic == symbol.type.basic &&
+                         first.type.structure == symbol.type.structure;
+  if (!same_type || before.size() != now.size()) return false;
+  for (size_t i = 0; i < now.size(); ++i) {
+    if (before[i] != now[i] && before[i] != 0 && now[i] != 0) return false;
+  }
+  return true;
+}
+
+void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type, bool is_extern) {
   Symbol symbol;
   symbol.type = type;
   symbol.range = declarator.name_range;
+  symbol.offset = IntOperand(0);
+  symbol.is_extern = is_extern && declarator.initialiser == nullptr;
+  SetDimensions(declarator, is_extern, symbol);
   const auto known = scopes_[0].find(declarator.name);
-  if (known != scopes_[0].end() && known->second.variable >= 0 &&
-      known->second.type.basic == type.basic) {
-    // C's tentative definitions: `extern int g;` and `int g;` are one variable.
-    if (declarator.initialiser != nullptr) InitialiseGlobal(declarator, known->second);
+  // C's tentative definitions: `extern int g;` and `int g;` are one variable.
+  const bool again = known != scopes_[0].end() && !symbol.invalid &&
+                     Redeclares(known->second, symbol) &&
+                     !(known->second.initialised && declarator.initialiser != nullptr);
+  if (!again) {
+    CheckNameLength(declarator.name, declarator.name_range);
+    global_names_.Reserve(declarator.name);
+  }
+  Symbol& first = again ? known->second : symbol;
+  if (again && !first.dimensions.empty()) {
+    first.dimensions[0] = std::max(first.dimensions[0], symbol.dimensions[0]);
+  }
+  first.is_extern &= symbol.is_extern;
+  if (first.variable < 0 && !first.is_extern && !first.invalid) {
+    first.variable = NewGlobal(std::string(declarator.name), type,
+                               static_cast<int>(SizeOfAll(first.dimensions)), first.range);
+  }
+  const bool initialise = !first.invalid && declarator.initialiser != nullptr;
+  first.initialised |= initialise;
+  const Symbol declared = first;
+  if (!again) Define(declarator.name, declared);
+  if (initialise) InitialiseGlobal(declarator, declared);
+}
+
+// `extern int g;` in a function: the global, whatever else is called so there.
+void Lowerer::DeclareExtern(const Declarator& declarator) {
+  const auto global = scopes_[0].find(declarator.name);
+  if (global == scopes_[0].end()) {
+    Report(Code::kNotForTheCard, declarator.name_range, declarator.name, WhyNoExtern());
     return;
   }
-  SetDimensions(declarator, symbol);
-  CheckNameLength(declarator.name, declarator.name_range);
-  global_names_.Reserve(declarator.name);
-  symbol.offset = IntOperand(0);
-  if (!symbol.invalid) {
-    const int64_t count = SizeOfAll(symbol.dimensions);
-    symbol.variable = NewGlobal(std::string(declarator.name), type, static_cast<int>(count),
-                                declarator.name_range);
+  if (declarator.initialiser != nullptr) {
+    Report(Code::kNotForTheCard, declarator.initialiser->range,
+           Source(declarator.initialiser->range),
+           MakeMessage("give the value where '{0}' is defined, outside the functions",
+                       "请在函数之外定义 '{0}' 的地方给出初值", declarator.name));
   }
-  const bool good = !symbol.invalid;
-  Define(declarator.name, symbol);
-  if (good && declarator.initialiser != nullptr) InitialiseGlobal(declarator, symbol);
+  Symbol symbol = global->second;
+  Define(declarator.name, std::move(symbol));
+}
+
+// False for a symbol of which nothing more is said: with an error, or declared and not defined,
+// which is reported.
+bool Lowerer::IsUsable(const Symbol& symbol, std::string_view name) {
+  if (symbol.is_extern) Report(Code::kNotForTheCard, symbol.range, name, WhyNoExtern());
+  return !symbol.invalid && !symbol.is_extern;
 }
 
 void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool is_static) {
@@ -291,7 +348,7 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
   symbol.type = type;
   symbol.range = declarator.name_range;
   symbol.offset = IntOperand(0);
-  SetDimensions(declarator, symbol);
+  SetDimensions(declarator, false, symbol);
   if (symbol.invalid) {
     Define(declarator.name, std::move(symbol));
     return;

@@ -48,7 +48,7 @@ Value Lowerer::LowerName(const Expression& expression) {
     ReportUndeclared(expression);
     return nothing;
   }
-  if (symbol->invalid) return nothing;
+  if (!IsUsable(*symbol, expression.text)) return nothing;
   if (symbol->kind == Symbol::Kind::kFunction) {
     Report(Code::kNotLowered, expression.range,
            MakeMessage("the address of a function", "函数的地址"),

@@ -132,6 +132,8 @@ class Lowerer {
     SourceRange range;
     int order = 0;  // of a global: position in the program
     bool invalid = false;
+    bool is_extern = false;    // a global that is declared and not defined so far
+    bool initialised = false;  // a global
     int variable = -1;
     std::vector<int64_t> dimensions;
     Operand offset;
@@ -202,11 +204,14 @@ class Lowerer {
   virtual void LowerDeclaration(const Statement& statement);
   void DefineEnumeration(const Enumeration& enumeration);
   void CheckNameLength(std::string_view name, SourceRange range);
-  void DeclareGlobal(const Declarator& declarator, const Type& type);
+  static bool Redeclares(const Symbol& first, const Symbol& symbol);
+  void DeclareGlobal(const Declarator& declarator, const Type& type, bool is_extern);
+  void DeclareExtern(const Declarator& declarator);
+  bool IsUsable(const Symbol& symbol, std::string_view name);
   void DeclareLocal(const Declarator& declarator, const Type& type, bool is_static);
   bool DeclareConstant(const Declarator& declarator, const Type& type);
   std::optional<std::vector<int64_t>> Dimensions(const Declarator& declarator);
-  void SetDimensions(const Declarator& declarator, Symbol& symbol);
+  void SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol);
   void Define(std::string_view name, Symbol symbol);
   const Symbol* Lookup(std::string_view name) const;
   int NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,

@@ -67,7 +67,7 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
       ReportUndeclared(inner);
       return std::nullopt;
     }
-    if (symbol->invalid) return std::nullopt;
+    if (!IsUsable(*symbol, inner.text)) return std::nullopt;
     if (symbol->dimensions.empty()) {
       Report(Code::kMisuse, inner.range, inner.text, MakeMessage("not an array", "不是数组"),
              MakeMessage("an array before '['", "'[' 之前应为数组"));
@@ -188,7 +188,7 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
         ReportUndeclared(inner);
         return std::nullopt;
       }
-      if (symbol->invalid) return std::nullopt;
+      if (!IsUsable(*symbol, inner.text)) return std::nullopt;
       if (symbol->kind == Symbol::Kind::kConstant) {
         Report(Code::kWriteToConst, inner.range, inner.text);
         return std::nullopt;

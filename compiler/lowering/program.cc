@@ -25,6 +25,7 @@ void Lowerer::DeclareFunction(const Function& syntax) {
   symbol.kind = Symbol::Kind::kFunction;
   symbol.range = syntax.name_range;
   symbol.order = order_;
+  global_names_.Reserve(syntax.name);
   const auto found = scopes_[0].find(syntax.name);
   if (found != scopes_[0].end()) {
     FunctionInfo* known = found->second.function;
@@ -176,7 +177,7 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
     switch (item->kind) {
       case Statement::Kind::kFunction:
         DeclareFunction(*item->function);
-        global_names_.Reserve(item->function->name);
+        for (const auto& other : item->function->others) DeclareFunction(*other);
         break;
       case Statement::Kind::kDeclaration:
         LowerDeclaration(*item);

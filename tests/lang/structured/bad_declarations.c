@@ -2,8 +2,8 @@
 int v;
 void f(void *p) {} // expect error MP129
 void g(int *, int k) {} // expect error MP129 // expect error MP128
-int up(int a), down(int a); // expect error MP206
-int left(void), *right(int a), both(); // expect error MP206 // expect error MP206
+int up(int a), down(int a);
+int left(void), *right(int a), both(); // expect error MP129
 int up(int a) { return a; }
 __attribute__((noinline)) int attributed(int a) { return a; } // expect error MP206
 int aligned __attribute__((aligned(4))); // expect error MP206

@@ -9,12 +9,11 @@ int double g; // expect error MP005
 u32 h; // expect error MP005
 static i; // expect error MP005
 void j; // expect error MP005
-extern int k; // expect error MP115
 TCrdPrm l; // expect error MP005
 unsigned signed m; // expect error MP005
 short char n; // expect error MP005
 int o(static int p); // expect error MP005
-extern int q(void);
+int q(extern int p); // expect error MP005
 void r(void s); // expect error MP005
 int v(void, int w); // expect error MP005
 void t0() {
