@@ -657,6 +657,7 @@ void Operands::CheckNames(const Expression& expression) {
       return;
     }
     case Expression::Kind::kBraces:
+    case Expression::Kind::kDesignated:
       context_.Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
       return;
     case Expression::Kind::kCall: {

@@ -72,7 +72,12 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
 bool ParserDriver::BeginsValues() const {
   if (last_ == nullptr) return false;
   if (last_->kind == Kind::kAssign || last_->kind == Kind::kEnum || AfterEnumName()) return true;
-  return !braces_.empty() && braces_.back().initialiser &&
+  return BeginsValue();
+}
+
+// Whether the next token is the first one of a value in braces.
+bool ParserDriver::BeginsValue() const {
+  return last_ != nullptr && !braces_.empty() && braces_.back().initialiser &&
          (last_->kind == Kind::kComma || last_->kind == Kind::kOpenBrace);
 }
 
@@ -98,7 +103,10 @@ int ParserDriver::KindOf(const Token& token) {
     case Kind::kCloseBrace:
       questions_ = 0;
       return token.kind;
+    case Kind::kDot:
+      return BeginsValue() ? Kind::kDotDesignator : token.kind;
     case Kind::kOpenBracket:
+      if (BeginsValue()) return Kind::kOpenDesignator;
       return last_ != nullptr && (IsTypeWord(last_->kind) || AfterEnumName()) ? Kind::kOpenAbstract
                                                                               : token.kind;
     default:

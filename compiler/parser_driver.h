@@ -67,6 +67,9 @@ class ParserDriver {
                        SourceRange range);
   ExpressionPtr Paren(ExpressionPtr inner, SourceRange range);
   ExpressionPtr Braces(std::vector<ExpressionPtr> values, SourceRange range);
+  /// A value for the place that the designators name: that of `[1][2] = 3` is one for `[1]`, whose
+  /// value is one for `[2]`.
+  ExpressionPtr Designated(std::vector<ExpressionPtr> designators, ExpressionPtr value);
 
   /// `value` may be nullptr for an empty statement.
   StatementPtr ExpressionStatement(ExpressionPtr value, SourceRange range);
@@ -89,6 +92,7 @@ class ParserDriver {
   bool Fits(const Levels& levels, SourceRange range);
   int KindOf(const Token& token);
   bool BeginsValues() const;
+  bool BeginsValue() const;
   bool AfterEnumName() const;
   bool ContinuesAfterBrace(const Token& error, const Token& next) const;
   bool InForHeader() const;
@@ -152,6 +156,9 @@ TypeNamePtr MakeTypeName(Specifiers specifiers, bool pointer, std::vector<Expres
 std::vector<ExpressionPtr> PutFirst(ExpressionPtr first, std::vector<ExpressionPtr> others);
 ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range);
 ExpressionPtr MakeLiteral(const Token* token, SourceRange range);
+/// Designators without a value: `[first]`, or `[first ... last]` unless `last` is nullptr; `.name`.
+ExpressionPtr MakeDesignator(ExpressionPtr first, ExpressionPtr last, SourceRange range);
+ExpressionPtr MakeDesignator(const Token* name, SourceRange range);
 std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,
                                        std::vector<ParameterDeclaration> parameters,
                                        SourceRange range);

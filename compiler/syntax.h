@@ -60,7 +60,9 @@ struct Expression {
     kComma,        ///< operands: two
     kParen,        ///< operands: one
     kBraces,       ///< { a, b }: an array's initialiser, nested for more dimensions
-    kError         ///< reported already
+    kDesignated,  ///< in braces `[1] = 2`, operands: value, index, perhaps the last one of a range;
+                  ///< or `.m = 2`, text is the member, operands: value; structured C
+    kError        ///< reported already
   };
   Kind kind = Kind::kError;
   SourceRange range;

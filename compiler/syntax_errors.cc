@@ -82,10 +82,6 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
     word = "(*)";
     why = MakeMessage("there are no pointers; call functions by name, and name arrays",
                       "没有指针；请用名称调用函数和使用数组");
-  } else if ((found.kind == Kind::kOpenBracket || found.kind == Kind::kDot) && operand &&
-             !braces_.empty() && braces_.back().initialiser) {
-    why = MakeMessage("write all values in order, without the places that they are for",
-                      "请按顺序写出所有的值，不要写明位置");
   } else if (found.kind == Kind::kOpenBrace && operand) {
     why = MakeMessage("a value in braces or a statement inside an expression; use a variable",
                       "表达式中的花括号值或语句；请使用变量");

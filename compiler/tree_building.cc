@@ -181,6 +181,17 @@ ExpressionPtr ParserDriver::Braces(std::vector<ExpressionPtr> values, SourceRang
   return LimitDepth(std::move(result));
 }
 
+ExpressionPtr ParserDriver::Designated(std::vector<ExpressionPtr> designators,
+                                       ExpressionPtr value) {
+  for (; !designators.empty(); designators.pop_back()) {
+    ExpressionPtr designated = std::move(designators.back());
+    designated->range = Join(designated->range, value->range);
+    designated->operands = PutFirst(std::move(value), std::move(designated->operands));
+    value = LimitDepth(std::move(designated));
+  }
+  return value;
+}
+
 StatementPtr ParserDriver::ExpressionStatement(ExpressionPtr value, SourceRange range) {
   too_deep_reported_ = false;
   StatementPtr statement = MakeStatement(
@@ -361,6 +372,21 @@ ExpressionPtr MakeLiteral(const Token* token, SourceRange range) {
   expression->literal = token->literal;
   expression->text = token->text;
   return expression;
+}
+
+ExpressionPtr MakeDesignator(ExpressionPtr first, ExpressionPtr last, SourceRange range) {
+  ExpressionPtr designator = MakeExpression(Expression::Kind::kDesignated, range);
+  designator->op_range = range;
+  designator->operands.push_back(std::move(first));
+  if (last != nullptr) designator->operands.push_back(std::move(last));
+  return designator;
+}
+
+ExpressionPtr MakeDesignator(const Token* name, SourceRange range) {
+  ExpressionPtr designator = MakeExpression(Expression::Kind::kDesignated, range);
+  designator->op_range = name->range;
+  designator->text = name->text;
+  return designator;
 }
 
 std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,

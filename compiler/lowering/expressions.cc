@@ -203,6 +203,7 @@ Value Lowerer::LowerValue(const Expression& expression) {
     case Kind::kParen:
       return LowerValue(*expression.operands[0]);
     case Kind::kBraces:
+    case Kind::kDesignated:
       Report(Code::kArrayValues, expression.range, Source(expression.range));
       return {};
     case Kind::kSizeof:

@@ -1,8 +1,11 @@
 // Initial values: of locals, which are assigned where they are declared, and of globals, which are
 // collected for the start of the thread functions (start.cc).
+#include <algorithm>
 #include <numeric>
 
 #include "compiler/lowering/lowerer.h"
+#include "compiler/tree_walk.h"
+#include "vm/limits.h"
 
 namespace oncard::compiler::lowering {
 namespace {
@@ -36,32 +39,118 @@ const Expression* Lowerer::ScalarValue(const Expression& value) {
     }
     inner = inner->operands[0].get();
   }
-  return inner;
+  if (inner->kind != Expression::Kind::kDesignated) return inner;
+  Report(Code::kTooManyValues, inner->range, int64_t{1});
+  return nullptr;
+}
+
+// Where a designator leads from the beginning of a row or a structure; nullopt, with a report, if
+// there is no such place.
+std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designator,
+                                                       const Aggregate& whole, size_t level) {
+  if (whole.structure != nullptr || !designator.text.empty()) {
+    const gtcalls::Structure* const structure = level == 0 ? whole.structure : nullptr;
+    for (size_t i = 0; structure != nullptr && i < structure->members.size(); ++i) {
+      if (structure->members[i].name == designator.text) {
+        const int64_t place = static_cast<int64_t>(i);
+        return Designation{place, place};
+      }
+    }
+    Report(Code::kNoMember, designator.op_range,
+           structure != nullptr ? std::string(structure->name) : std::string(whole.name),
+           Source(designator.op_range));
+    return std::nullopt;
+  }
+  if (level == whole.dimensions.size()) {
+    Report(Code::kTooManyValues, designator.range, int64_t{1});
+    return std::nullopt;
+  }
+  // An array without a size has at most all slots.
+  const int64_t size =
+      whole.dimensions[level] > 0 ? whole.dimensions[level] : int64_t{vm::kSlotCount};
+  Designation result;
+  for (size_t i = 1; i < designator.operands.size(); ++i) {
+    const Expression& index = *designator.operands[i];
+    const std::optional<int64_t> value = EvaluateInteger(index);
+    if (!value) {
+      Report(Code::kConstantNeeded, index.range, Source(index.range));
+      return std::nullopt;
+    }
+    if (*value < 0 || *value >= size || (i > 1 && *value < result.first)) {
+      Report(Code::kIndexOutOfBounds, index.range, *value, whole.name, size - 1);
+      return std::nullopt;
+    }
+    if (i == 1) result.first = *value;
+    result.last = *value;
+  }
+  if (result.last > result.first && HasEffects(*designator.operands[0])) {
+    Report(Code::kNotForTheCard, designator.range, Source(designator.range),
+           MakeMessage("its value does something else, too; write it for each element",
+                       "其值还有其他作用；请为每个元素分别写出"));
+    return std::nullopt;
+  }
+  return result;
 }
 
 // The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
 // braces hold the row or the element that begins there; without them the values continue from row
-// to row.
-bool Lowerer::Flatten(const Expression& braces, const std::vector<int64_t>& dimensions,
-                      size_t level, int64_t base, Elements& elements) {
-  const int64_t size = Product(dimensions, level);  // 0: as many as there are
+// to row, and after a designator from its place.
+bool Lowerer::Flatten(const Expression& braces, const Aggregate& whole, size_t level, int64_t base,
+                      Elements& elements) {
+  const int64_t size = Product(whole.dimensions, level);  // 0: as many as there are
   int64_t position = 0;
   for (const ExpressionPtr& item : braces.operands) {
+    if (item->kind == Expression::Kind::kDesignated) {
+      if (!FlattenDesignated(*item, whole, level, base, elements, &position)) return false;
+      continue;
+    }
     if (size > 0 && position >= size) {
       Report(Code::kTooManyValues, item->range, size);
       return false;
     }
-    const size_t at = static_cast<size_t>(base + position);
-    if (elements.size() <= at) elements.resize(at + 1, nullptr);
     const size_t begun = item->kind == Expression::Kind::kBraces
-                             ? LevelAt(position, dimensions, level)
-                             : dimensions.size();
-    if (begun == dimensions.size()) {
-      elements[at] = ScalarValue(*item);
-    } else if (!Flatten(*item, dimensions, begun, base + position, elements)) {
-      return false;
+                             ? LevelAt(position, whole.dimensions, level)
+                             : whole.dimensions.size();
+    if (!FlattenItem(*item, whole, begun, base + position, elements)) return false;
+    position += Product(whole.dimensions, begun);
+  }
+  return true;
+}
+
+// The value of an element, or the braces of a row, which replace what was there.
+bool Lowerer::FlattenItem(const Expression& item, const Aggregate& whole, size_t level,
+                          int64_t position, Elements& elements) {
+  const size_t begin = static_cast<size_t>(position);
+  const size_t end = begin + static_cast<size_t>(Product(whole.dimensions, level));
+  if (elements.size() <= begin) elements.resize(begin + 1, nullptr);
+  std::fill(elements.begin() + static_cast<std::ptrdiff_t>(std::min(begin, elements.size())),
+            elements.begin() + static_cast<std::ptrdiff_t>(std::min(end, elements.size())),
+            nullptr);
+  if (level < whole.dimensions.size()) return Flatten(item, whole, level, position, elements);
+  elements[begin] = ScalarValue(item);
+  return true;
+}
+
+// `[1] = value` within a row of a level that begins at `base`; `position` becomes the place after
+// it.
+bool Lowerer::FlattenDesignated(const Expression& item, const Aggregate& whole, size_t level,
+                                int64_t base, Elements& elements, int64_t* position) {
+  const std::optional<Designation> place = Designate(item, whole, level);
+  if (!place) return false;
+  const Expression& value = *item.operands[0];
+  const int64_t width = Product(whole.dimensions, level + 1);
+  for (int64_t i = place->first; i <= place->last; ++i) {
+    const int64_t begin = base + i * width;
+    int64_t within = 0;
+    if (value.kind == Expression::Kind::kDesignated) {
+      if (!FlattenDesignated(value, whole, level + 1, begin, elements, &within)) return false;
+    } else {
+      const size_t begun =
+          value.kind == Expression::Kind::kBraces ? level + 1 : whole.dimensions.size();
+      if (!FlattenItem(value, whole, begun, begin, elements)) return false;
+      within = Product(whole.dimensions, begun);
     }
-    position += Product(dimensions, begun);
+    *position = i * width + within;
   }
   return true;
 }
@@ -79,7 +168,8 @@ std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Declarator& declarato
     return std::nullopt;
   }
   Elements elements;
-  if (!Flatten(*values, dimensions, 0, 0, elements)) return std::nullopt;
+  const Aggregate whole = {std::move(dimensions), symbol.type.structure, declarator.name};
+  if (!Flatten(*values, whole, 0, 0, elements)) return std::nullopt;
   return elements;
 }
 

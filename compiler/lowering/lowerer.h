@@ -188,6 +188,17 @@ class Lowerer {
     Operand value;
     SourceRange range;
   };
+  // What braces give values to: an array, or a structure, whose members are its one dimension.
+  struct Aggregate {
+    std::vector<int64_t> dimensions;
+    const gtcalls::Structure* structure = nullptr;
+    std::string_view name;
+  };
+  // The places that a designator names among the rows, elements or members of its level.
+  struct Designation {
+    int64_t first = 0;
+    int64_t last = 0;
+  };
   // The values of an aggregate's initialiser in order; nullptr: 0.
   using Elements = std::vector<const Expression*>;
 
@@ -225,8 +236,14 @@ class Lowerer {
   void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
   void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
   const Expression* ScalarValue(const Expression& value);
-  bool Flatten(const Expression& braces, const std::vector<int64_t>& dimensions, size_t level,
-               int64_t base, Elements& elements);
+  std::optional<Designation> Designate(const Expression& designator, const Aggregate& whole,
+                                       size_t level);
+  bool Flatten(const Expression& braces, const Aggregate& whole, size_t level, int64_t base,
+               Elements& elements);
+  bool FlattenItem(const Expression& item, const Aggregate& whole, size_t level, int64_t position,
+                   Elements& elements);
+  bool FlattenDesignated(const Expression& item, const Aggregate& whole, size_t level, int64_t base,
+                         Elements& elements, int64_t* position);
   std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);
   void ClearElements(const Symbol& symbol, int64_t begin, int64_t end, SourceRange range);
   Operand ElementOperand(const Symbol& symbol, int64_t index) const;

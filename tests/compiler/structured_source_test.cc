@@ -116,6 +116,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"for (int i = 0, j = 1; i < j; i++, j--) continue;",
             "(for (decl int i=0 j=1); (< i j); (, (post++ i) (post-- j)); continue)"},
         Row{"int a[2] = {b, c}, d = e, f;", "(decl int a[2]=(values b c) d=e f)"},
+        Row{"int a[4] = {[1] = b, [2 ... 3] = c}, d[2][2] = {[0][1] = e, .f = {[1] = g}};",
+            "(decl int a[4]=(values (at b 1) (at c 2 3)) "
+            "d[2][2]=(values (at (at e 1) 0) (.f (values (at g 1)))))"},
         Row{"static int calls = 0; enum { kLocal = 3 };",
             "(decl static int calls=0) (decl enum { kLocal=3 })"},
         Row{"a = b = c ? d, e : f ? g : h;", "(= a (= b (? c (, d e) (? f g h))))"}));

@@ -71,6 +71,9 @@ inline std::string TreeText(const Expression* expression) {
     case Expression::Kind::kParen:
       head = "paren";
       break;
+    case Expression::Kind::kDesignated:
+      head = expression->text.empty() ? "at" : '.' + std::string(expression->text);
+      break;
     case Expression::Kind::kBraces:
       head = "values";
       break;

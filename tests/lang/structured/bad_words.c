@@ -6,8 +6,6 @@ typedef unsigned int u32; // expect error MP206
 int (*callback)(int); // expect error MP206
 int print(int format, ...); // expect error MP206
 _Static_assert(sizeof(int) == 4); // expect error MP206
-int a[4] = {[2] = 1}; // expect error MP206
-int b[2] = {.x = 1}; // expect error MP206
 void f(int (*each)(int)); // expect error MP206
 struct Flags { unsigned low : 4; } flags; // expect error MP206
 int g(enum { kA } a); // expect error MP206
