@@ -20,6 +20,65 @@ constexpr int kIncludeDepthMax = 32;
 // The arguments for `...`.
 constexpr std::string_view kVariadicName = "__VA_ARGS__";
 
+// Attributes, and words like them, that are about warnings, about how a program is compiled, or
+// promises about it.
+constexpr std::string_view kNoEffect[] = {"__extension__",
+                                          "_Noreturn",
+                                          "access",
+                                          "always_inline",
+                                          "artificial",
+                                          "assume_aligned",
+                                          "cdecl",
+                                          "cold",
+                                          "const",
+                                          "deprecated",
+                                          "externally_visible",
+                                          "fallthrough",
+                                          "flatten",
+                                          "format",
+                                          "format_arg",
+                                          "gnu_inline",
+                                          "hot",
+                                          "leaf",
+                                          "maybe_unused",
+                                          "no_icf",
+                                          "no_instrument_function",
+                                          "no_reorder",
+                                          "no_sanitize",
+                                          "no_sanitize_address",
+                                          "no_sanitize_undefined",
+                                          "no_split_stack",
+                                          "no_stack_protector",
+                                          "noclone",
+                                          "nodiscard",
+                                          "noinline",
+                                          "noipa",
+                                          "nonnull",
+                                          "noreturn",
+                                          "nothrow",
+                                          "optimize",
+                                          "pure",
+                                          "regparm",
+                                          "restrict",
+                                          "returns_nonnull",
+                                          "sentinel",
+                                          "stdcall",
+                                          "unused",
+                                          "used",
+                                          "visibility",
+                                          "warn_unused_result",
+                                          "warning"};
+
+// Also between two pairs of underlines, as in `__unused__`.
+bool HasNoEffect(std::string_view word) {
+  const bool known =
+      std::find(std::begin(kNoEffect), std::end(kNoEffect), word) != std::end(kNoEffect);
+  if (known || !word.starts_with("__")) return known;
+  word.remove_prefix(2);
+  if (word.ends_with("__")) word.remove_suffix(2);
+  return HasNoEffect(word);
+}
+
 Token NumberToken(const Token& like, bool value) {
   Token token = like;
   token.kind = Kind::kInteger;
@@ -47,6 +106,72 @@ void Preprocessor::Run(SourceFile program) {
   if (files_.refused()) tokens_.clear();
   DropReportsOfSkippedText();
   tokens_.push_back(files_.EndToken());
+  RemoveAttributes();
+}
+
+// Removes `__attribute__((...))` and words that say nothing about what a program computes.
+void Preprocessor::RemoveAttributes() {
+  size_t kept = 0;
+  bool new_line = false;
+  for (size_t i = 0; i < tokens_.size(); ++i) {
+    const size_t end = EndOfAttribute(i);
+    if (end > i) {
+      new_line |= tokens_[i].on_new_line;
+      i = end - 1;
+      continue;
+    }
+    Token token = tokens_[i];
+    token.on_new_line |= std::exchange(new_line, false);
+    tokens_[kept++] = token;
+  }
+  tokens_.resize(kept);
+}
+
+// The place behind the attribute that begins at a place, each word of which is reported; the place
+// itself if there is none.
+size_t Preprocessor::EndOfAttribute(size_t begin) {
+  const Token& word = tokens_[begin];
+  if (word.kind != Kind::kReserved) return begin;
+  if (HasNoEffect(word.text)) {
+    IgnoreAttribute(word);
+    return begin + 1;
+  }
+  const auto kind_at = [this](size_t i) {
+    return i < tokens_.size() ? tokens_[i].kind : static_cast<int>(Kind::kEnd);
+  };
+  const bool attribute = word.text.starts_with("__attribute") &&
+                         kind_at(begin + 1) == Kind::kOpenParen &&
+                         kind_at(begin + 2) == Kind::kOpenParen;
+  if (!attribute) return begin;
+  size_t end = begin + 1;
+  for (int depth = 0; end < tokens_.size(); ++end) {
+    if (tokens_[end].kind == Kind::kOpenParen) ++depth;
+    if (tokens_[end].kind == Kind::kCloseParen && --depth == 0) break;
+  }
+  if (end == tokens_.size() || tokens_[end - 1].kind != Kind::kCloseParen) return begin;
+  int depth = 0;
+  for (size_t i = begin + 1; i < end; ++i) {
+    const bool first = depth == 2 && (tokens_[i - 1].kind == Kind::kOpenParen ||
+                                      tokens_[i - 1].kind == Kind::kComma);
+    if (tokens_[i].kind == Kind::kOpenParen) ++depth;
+    if (tokens_[i].kind == Kind::kCloseParen) --depth;
+    if (!first || !IsWord(tokens_[i])) continue;
+    if (HasNoEffect(tokens_[i].text)) {
+      IgnoreAttribute(tokens_[i]);
+    } else {
+      reporter_.Report(Code::kNotForTheCard, tokens_[i].range, tokens_[i].text,
+                       MakeMessage("an attribute that changes what the program does; leave it out "
+                                   "if it is not needed",
+                                   "该属性会改变程序的行为；如果不需要，请去掉它"));
+    }
+  }
+  return end + 1;
+}
+
+// A remark about each of them once.
+void Preprocessor::IgnoreAttribute(const Token& word) {
+  if (!ignored_.insert(word.text).second) return;
+  reporter_.Report(Code::kIgnoredAttribute, word.range, word.text);
 }
 
 void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth) {

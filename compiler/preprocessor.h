@@ -71,6 +71,9 @@ class Preprocessor {
   void DefineKnown(std::string_view text, SourceRange range);
   void Include(Line line, SourceRange whole, int depth);
   void DropReportsOfSkippedText();
+  void RemoveAttributes();
+  size_t EndOfAttribute(size_t begin);
+  void IgnoreAttribute(const Token& word);
 
   const Options& options_;
   const FileReader& reader_;
@@ -83,6 +86,7 @@ class Preprocessor {
   SourceRange program_include_;       // the #include of the program that is being obeyed
   std::vector<SourceRange> skipped_;  // text that is not read; after Run() in its order
   std::set<std::string> once_;        // files with #pragma once
+  std::unordered_set<std::string_view> ignored_;  // attributes that were reported
 };
 
 }  // namespace oncard::compiler

@@ -3,8 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <deque>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "compiler/header_types.h"
 #include "compiler/operands.h"
@@ -36,12 +40,14 @@ class Refusals {
            Reporter& reporter)
       : skipped_names_(skipped_names), options_(options), reporter_(reporter) {}
 
+  void FindNeeded(const Tree& tree);
   void VisitTopLevel(const Statement& item);
 
  private:
   // A pointer is reported by itself: its type may be void.
   enum class Use : uint8_t { kVariable, kParameter, kFunction, kCast, kPointer };
 
+  void Excuse(const Function& function, size_t known);
   void VisitFunction(const Function& function);
   void VisitHead(const Function& function);
   void VisitStatement(const Statement& statement);
@@ -60,6 +66,7 @@ class Refusals {
   const std::unordered_set<std::string_view>& skipped_names_;
   const Options& options_;
   Reporter& reporter_;
+  std::unordered_set<std::string_view> needed_;
   std::string_view function_;  // the one whose body is visited
 };
 
@@ -84,11 +91,57 @@ void Refusals::VisitTopLevel(const Statement& item) {
   }
 }
 
+// Finds the functions whose statements are part of the program: those that are not static, and what
+// they call.
+void Refusals::FindNeeded(const Tree& tree) {
+  std::unordered_set<std::string_view> statics;
+  std::unordered_map<std::string_view, const Function*> functions;
+  for (const StatementPtr& item : tree.items) {
+    if (item->kind != SKind::kFunction) continue;
+    const Function& function = *item->function;
+    for (const Token* word : function.specifiers.words) {
+      if (word->kind == Kind::kStatic) statics.insert(function.name);
+    }
+    if (!function.prototype) functions.emplace(function.name, &function);
+  }
+  std::vector<const Function*> open;
+  for (const auto& [name, function] : functions) {
+    if (!statics.contains(name)) open.push_back(function);
+  }
+  while (!open.empty()) {
+    const Function& function = *open.back();
+    open.pop_back();
+    if (!needed_.insert(function.name).second) continue;
+    const auto in_expression = [&](const Expression& expression) {
+      const auto callee = functions.find(expression.text);
+      if (callee != functions.end()) open.push_back(callee->second);
+    };
+    for (const StatementPtr& item : function.body) {
+      ForEachStatement(*item, [&](const Statement& statement) {
+        ForEachWholeExpression(
+            statement, [&](const Expression& whole) { ForEachExpression(whole, in_expression); });
+      });
+    }
+  }
+}
+
+// Makes a remark of the errors since `known`, which are about a function that is not needed.
+void Refusals::Excuse(const Function& function, size_t known) {
+  std::deque<Diagnostic>& all = reporter_.diagnostics();
+  if (all.size() == known) return;
+  const Diagnostic first = std::move(all[known]);
+  all.resize(known);
+  AddNote(
+      reporter_.Report(Code::kUnneededFunction, function.name_range, function.name, first.message),
+      first.range, MakeMessage("this is the first obstacle", "第一处障碍在此"));
+}
+
 void Refusals::VisitFunction(const Function& function) {
   if (!function_.empty() && !function.prototype) {
     reporter_.Report(Code::kNestedFunction, function.name_range, function.name, function_);
     return;
   }
+  const size_t known = reporter_.diagnostics().size();
   VisitSpecifiers(function.specifiers, Use::kFunction);
   VisitHead(function);
   for (const std::unique_ptr<Function>& other : function.others) VisitHead(*other);
@@ -96,6 +149,7 @@ void Refusals::VisitFunction(const Function& function) {
   function_ = function.name;
   for (const StatementPtr& item : function.body) VisitStatement(*item);
   function_ = {};
+  if (!needed_.contains(function.name)) Excuse(function, known);
 }
 
 // The name and the parameters.
@@ -340,6 +394,7 @@ void RefuseUntranslatable(const Tree& tree,
                           const std::unordered_set<std::string_view>& skipped_names,
                           const Options& options, Reporter& reporter) {
   Refusals refusals(skipped_names, options, reporter);
+  refusals.FindNeeded(tree);
   for (const StatementPtr& item : tree.items) refusals.VisitTopLevel(*item);
 }
 

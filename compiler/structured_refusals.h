@@ -12,7 +12,8 @@
 
 namespace oncard::compiler {
 
-/// Reports what cannot be translated. If nothing is reported:
+/// Reports what cannot be translated, about a static function that nothing calls in a remark alone.
+/// If nothing is reported:
 /// - the words of every type are `void`, `bool`, an integer type with or without a sign and size,
 ///   `double`, a type of C's headers with at most 32 bits, an enum or a structure of the catalogue,
 ///   perhaps with `const`, `static` or another qualifier, `extern` not in parameters and casts; an

@@ -89,23 +89,8 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
     return false;
   }
   Diagnostic& diagnostic = reporter_.Report(Code::kNotForTheCard, found.range, word, why);
-  if (word.starts_with("__attribute") || word == "__extension__") RemoveWord(diagnostic);
   if (word == "typedef") DefineType(diagnostic);
   return true;
-}
-
-// Removes the last token, and the parentheses behind it.
-void ParserDriver::RemoveWord(Diagnostic& diagnostic) const {
-  SourceRange range = last_->range;
-  int depth = 0;
-  for (size_t i = next_; i < tokens_.size() && tokens_[i].range.file == range.file; ++i) {
-    if (tokens_[i].kind == Kind::kOpenParen) ++depth;
-    if (tokens_[i].kind == Kind::kCloseParen) --depth;
-    if (depth > 0) continue;
-    if (tokens_[i].kind == Kind::kCloseParen) range = Join(range, tokens_[i].range);
-    break;
-  }
-  Replace(diagnostic, range, "");
 }
 
 // `typedef unsigned char byte;` as `#define byte unsigned char`, if the type is that simple. The

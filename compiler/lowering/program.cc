@@ -190,7 +190,7 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
   bool recurses = false;
   for (FunctionInfo& info : functions_) {
     std::vector<FunctionInfo*> path;
-    if (info.mark == 0) recurses |= Recurses(info, path);
+    if (info.mark == 0 && !info.is_static) recurses |= Recurses(info, path);
   }
   if (recurses) return std::move(program_);
   PlaceAsserts(tree, asserts);

@@ -140,8 +140,6 @@ TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
       {"int a;\ntypedef unsigned char byte;\nbyte b;",
        "int a;\n#define byte unsigned char\nbyte b;"},
       {"typedef unsigned char uint8_t;\nint b;", "#define uint8_t unsigned char\nint b;"},
-      {"int a __attribute__((aligned(4)));", "int a ;"},
-      {"__extension__ int a;", " int a;"},
       // A directive needs its own line, and a macro is no array.
       {"int a; typedef int word;\nword b;", "int a; typedef int word;\nword b;"},
       {"typedef int word; word b;", "typedef int word; word b;"},

@@ -5,9 +5,9 @@ void g(int *, int k) {} // expect error MP129 // expect error MP128
 int up(int a), down(int a);
 int left(void), *right(int a), both(); // expect error MP129
 int up(int a) { return a; }
-__attribute__((noinline)) int attributed(int a) { return a; } // expect error MP206
-int aligned __attribute__((aligned(4))); // expect error MP206
-__extension__ int extended; // expect error MP206
+__attribute__((noinline)) int attributed(int a) { return a; } // expect warning MP218
+int aligned __attribute__((aligned(4), unused)); // expect error MP206 // expect warning MP218
+__attribute__((__packed__)) int packed; // expect error MP206
 typedef unsigned char byte; // expect error MP206
 byte first;
 void t0() {
