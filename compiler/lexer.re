@@ -75,6 +75,7 @@ class Lexer {
   }
   void Add(int kind, const char* begin, const char* end, const Literal& literal = {});
   void AddName(const char* begin, const char* end);
+  const char* Digraph(int kind, std::string_view text, const char* begin, const char* limit);
   void AddEllipsis(const char* begin, const char* end);
   void AddInteger(const char* begin, const char* end);
   void AddIntegerOfC(const char* begin, const char* end);
@@ -114,6 +115,18 @@ void Lexer::Add(int kind, const char* begin, const char* end, const Literal& lit
   token.literal = literal;
   token.on_new_line = new_line_;
   new_line_ = false;
+}
+
+// Two characters that C reads as one, for keyboards without it; the card's language sees two.
+const char* Lexer::Digraph(int kind, std::string_view text, const char* begin, const char* limit) {
+  if (structured_) {
+    Add(kind, begin, begin + 2);
+    tokens_.back().text = text;
+    return begin + 2;
+  }
+  if (*begin != ':') return Operator(begin, limit);
+  Add(Kind::kColon, begin, begin + 1);
+  return begin + 1;
 }
 
 // The card's language has no `...`: it sees three points.
@@ -453,6 +466,11 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       ")"   { Add(Kind::kCloseParen, begin, cursor); continue; }
       "["   { Add(Kind::kOpenBracket, begin, cursor); continue; }
       "]"   { Add(Kind::kCloseBracket, begin, cursor); continue; }
+      "<:"  { cursor = Digraph(Kind::kOpenBracket, "[", begin, limit); continue; }
+      ":>"  { cursor = Digraph(Kind::kCloseBracket, "]", begin, limit); continue; }
+      "<%"  { cursor = Digraph(Kind::kOpenBrace, "{", begin, limit); continue; }
+      "%>"  { cursor = Digraph(Kind::kCloseBrace, "}", begin, limit); continue; }
+      "%:"  { cursor = Digraph(Kind::kHash, "#", begin, limit); continue; }
       "{"   { Add(Kind::kOpenBrace, begin, cursor); continue; }
       "}"   { Add(Kind::kCloseBrace, begin, cursor); continue; }
       "#"   { Add(Kind::kHash, begin, cursor); continue; }

@@ -114,21 +114,22 @@ int ParserDriver::KindOf(const Token& token) {
   }
 }
 
+bool ParserDriver::OpenOldStyle() {
+  if (dialect_ == Dialect::kCard || !AfterUntypedParameters()) return false;
+  const auto brace = std::find_if(
+      tokens_.begin() + static_cast<std::ptrdiff_t>(next_), tokens_.end(), [](const Token& token) {
+        return token.kind == Kind::kOpenBrace || token.kind == Kind::kCloseBrace;
+      });
+  if (brace == tokens_.end() || brace->kind != Kind::kOpenBrace) return false;
+  const size_t end = static_cast<size_t>(brace - tokens_.begin());
+  ReportOldStyle(end);
+  next_ = end + 1;
+  braces_.push_back({brace->range, false});
+  resume_ = false;
+  return true;
+}
+
 bool ParserDriver::OpenMissingBrace() {
-  // `int f(a) int a; {`: the types of the parameters are skipped.
-  if (dialect_ == Dialect::kStructured && AfterUntypedParameters()) {
-    const auto brace =
-        std::find_if(tokens_.begin() + static_cast<std::ptrdiff_t>(next_), tokens_.end(),
-                     [](const Token& token) {
-                       return token.kind == Kind::kOpenBrace || token.kind == Kind::kCloseBrace;
-                     });
-    if (brace != tokens_.end() && brace->kind == Kind::kOpenBrace) {
-      next_ = static_cast<size_t>(brace - tokens_.begin()) + 1;
-      braces_.push_back({brace->range, false});
-      resume_ = false;
-      return true;
-    }
-  }
   braces_.push_back({last_->range, false});
   // The token after the missing brace has already been counted before it.
   if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {

@@ -39,6 +39,9 @@ class ParserDriver {
   /// Inserts the missing `{` of a function's body. Returns true if the last token was the end of
   /// the file, which now follows a `}`.
   bool OpenMissingBrace();
+  /// After a function's head of the old style, `int f(a) int a; {`: reports it, skips the types of
+  /// the parameters and the brace, and returns true if there is one.
+  bool OpenOldStyle();
   /// True if recovery does not get past a token; the rest of the file is then skipped.
   bool Stalled() const { return errors_here_ > kErrorsHereMax; }
 
@@ -103,6 +106,7 @@ class ParserDriver {
   bool ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects);
   const Token* UntypedFunction() const;
   bool AfterUntypedParameters() const;
+  void ReportOldStyle(size_t end);
 
   std::span<const Token> tokens_;
   Reporter& reporter_;

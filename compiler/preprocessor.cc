@@ -409,10 +409,12 @@ void Preprocessor::Define(Line line, SourceRange whole) {
 bool Preprocessor::ReadBody(Line words, MacroDefinition* macro) {
   for (size_t i = 0; i < words.size(); ++i) {
     Token token = words[i];
-    const std::string_view text = files_.TextOf(token.range.file);
-    if (token.kind == Kind::kHash && text.substr(token.range.begin, 2) == "##") {
+    const bool joins = token.kind == Kind::kHash && i + 1 < words.size() &&
+                       words[i + 1].kind == Kind::kHash &&
+                       words[i + 1].range.begin == token.range.end;
+    if (joins) {
       token.range.end = words[++i].range.end;
-      token.text = text.substr(token.range.begin, 2);
+      token.text = "##";
     }
     macro->body.push_back(token);
   }

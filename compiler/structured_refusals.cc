@@ -159,7 +159,9 @@ void Refusals::VisitHead(const Function& function) {
     const Declarator& declarator = parameter.declarator;
     const Specifiers& specifiers = parameter.specifiers;
     if (specifiers.words.empty() && specifiers.enumeration == nullptr) {
-      reporter_.Report(Code::kOldStyle, parameter.range, declarator.name);
+      if (function.mended) continue;
+      InsertBefore(reporter_.Report(Code::kOldStyle, parameter.range, declarator.name),
+                   parameter.range, "int ");
       continue;
     }
     const bool nothing = function.parameters.size() == 1 && declarator.name.empty() &&
@@ -305,8 +307,11 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
   }
   const bool skipped = specifiers.words.size() == 1 && skipped_names_.contains(base);
   if (good || skipped) return;
-  reporter_.Report(Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
-                   kTypes);
+  Diagnostic& diagnostic = reporter_.Report(Code::kNotAType, specifiers.range,
+                                            ToMessage(fmt::format("'{}'", spelled)), kTypes);
+  // `static n;`: C had it before 1999.
+  const bool left_out = base.empty() && !sized && signs == 0 && use != Use::kCast;
+  if (left_out) InsertAfter(diagnostic, specifiers.range, " int");
 }
 
 void Refusals::VisitType(const TypeName& type) {

@@ -137,6 +137,7 @@ struct Function {
   SourceRange open_brace;
   SourceRange close_brace;
   bool prototype = false;  ///< `int f();`
+  bool mended = false;     ///< reported: the types of its parameters stand before the body
   /// The others of `int f(), g();`, in structured C.
   std::vector<std::unique_ptr<Function>> others;
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <unordered_map>
 
 #include "compiler/header_types.h"
 #include "compiler/lexer.h"
@@ -59,6 +60,48 @@ bool ParserDriver::AfterUntypedParameters() const {
     named = true;
   }
   return named;
+}
+
+// `(a, b) int a; double b[2];`, whose last `;` is before `end`, as `(int a, double b[2])`. The last
+// token is the first one behind the parentheses.
+void ParserDriver::ReportOldStyle(size_t end) {
+  const size_t begin = next_ - 1;
+  size_t open = begin - 1;
+  while (tokens_[open].kind != Kind::kOpenParen) --open;
+  // The declarations by name.
+  std::unordered_map<std::string_view, std::string> declarations;
+  std::string type;
+  std::string declarator;
+  std::string_view name;
+  const auto in_type = [&declarator](const Token& token) {
+    return declarator.empty() && (IsTypeWord(token.kind) || token.kind == Kind::kEnum);
+  };
+  for (size_t i = begin; i < end; ++i) {
+    const Token& token = tokens_[i];
+    if (token.kind == Kind::kComma || token.kind == Kind::kSemicolon) {
+      declarations.emplace(name, type + declarator);
+      declarator.clear();
+      if (token.kind == Kind::kSemicolon) type.clear();
+    } else if (in_type(token) || (type.ends_with("enum ") && declarator.empty())) {
+      type += std::string(token.text) + ' ';
+    } else {
+      if (token.kind == Kind::kName) name = token.text;
+      declarator += token.text;
+    }
+  }
+  std::string head = "(";
+  for (size_t i = open + 1; i + 1 < begin; ++i) {
+    if (tokens_[i].kind != Kind::kName) continue;
+    const auto declared = declarations.find(tokens_[i].text);
+    if (head.size() > 1) head += ", ";
+    // C's old rule: what is not declared is an int.
+    head +=
+        declared != declarations.end() ? declared->second : "int " + std::string(tokens_[i].text);
+  }
+  const SourceRange written = Join(tokens_[open].range, tokens_[end - 1].range);
+  Diagnostic& diagnostic =
+      reporter_.Report(Code::kOldStyle, tokens_[open + 1].range, tokens_[open + 1].text);
+  if (tokens_[open].range.file == written.file) Replace(diagnostic, written, head + ')');
 }
 
 // A syntax error that is a construct of C which structured C leaves out: reports the reason.
@@ -126,9 +169,11 @@ bool ParserDriver::ReportSlip(const std::function<bool(Parser::symbol_kind_type)
     AddNote(reporter_.Report(Code::kCannotStart, found.range, what),
             MakeMessage("there is no 'if' before it", "它之前没有 'if'"));
   } else if (const Token* const function = UntypedFunction()) {
-    reporter_.Report(
+    Diagnostic& diagnostic = reporter_.Report(
         Code::kNotAType, function->range, DescribeToken(*function),
         MakeMessage("that of the function's value, or void", "函数返回值的类型，或 void"));
+    // As C had it before 1999.
+    InsertBefore(diagnostic, function->range, "int ");
   } else if (before == Kind::kStar &&
              (found.kind == Kind::kConst || found.kind == Kind::kQualifier)) {
     reporter_.Report(Code::kNeedsPointer, previous_->range, previous_->text);

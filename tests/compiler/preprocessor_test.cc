@@ -60,6 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
              "7 11"},
         Case{"#define J(a, b, c) a##b##c\nJ(x, , y) J(, , y) J(x, , ) J(, , ) z", "xy y x z"},
         Case{"#define X a##1 b\nX", "a1 b"},
+        Case{"%:define J(a, b) a%:%:b\n%: define S(a) %:a\nJ(x, 1)<:1:> <%S(x)%>",
+             "x1 [ 1 ] { \"x\" }"},
         // # makes text of an argument as it is written.
         Case{"#define A 1\n#define S(a) #a\nS(A + b) S( x ) S(\"q\\n\") S()",
              "\"A + b\" \"x\" \"\\\"q\\\\n\\\"\" \"\""},

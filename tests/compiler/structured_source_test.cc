@@ -140,6 +140,13 @@ TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
       {"int a;\ntypedef unsigned char byte;\nbyte b;",
        "int a;\n#define byte unsigned char\nbyte b;"},
       {"typedef unsigned char uint8_t;\nint b;", "#define uint8_t unsigned char\nint b;"},
+      // C before 1999: an int may be left out, and the types of parameters stand before the body.
+      {"static n;\nconst limit = 3;", "static int n;\nconst int limit = 3;"},
+      {"int n;\nset(int a) {\n  n = a;\n}", "int n;\nint set(int a) {\n  n = a;\n}"},
+      {"int f(a, b) { return a + b; }", "int f(int a, int b) { return a + b; }"},
+      {"int f(a, b, c)\nunsigned char b[2][3];\nenum e c;\n{\n  return a;\n}",
+       "int f(int a, unsigned char b[2][3], enum e c)\n{\n  return a;\n}"},
+      {"void f(a, b, c) double a, c; int b; {}", "void f(double a, int b, double c) {}"},
       // A directive needs its own line, and a macro is no array.
       {"int a; typedef int word;\nword b;", "int a; typedef int word;\nword b;"},
       {"typedef int word; word b;", "typedef int word; word b;"},
@@ -183,6 +190,7 @@ TEST(DialectTest, WordsOfStructuredCKeepTheirMeaningInTheCardsLanguage) {
            {"int volatile; int inline; int asm; int t0() { return volatile; }", {}},
            {"int bool; int t0() { return bool; }", {}},
            {"int int32_t; int __inline__; int L; int t0() { return int32_t; }", {}},
+           {"int t0() <% return 0; %>", {40, 32, 4}},
            {"int f(int []); int t0() { return 0; }", {128}},
            {"int a[2] = {}; int t0() { return a[0]; }", {127, 24, 27}},
            {"int a; int t0() { switch (a) { case 1 ... 2: a = 1; } return a; }", {105, 128}},
