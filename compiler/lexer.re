@@ -454,7 +454,8 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       "extern"   { Add(Kind::kExtern, begin, cursor); continue; }
       "enum"     { Add(structured_ ? Kind::kEnum : Kind::kReserved, begin, cursor); continue; }
       "sizeof"   { Add(structured_ ? Kind::kSizeof : Kind::kReserved, begin, cursor); continue; }
-      "struct" | "typedef" | "union" { Add(Kind::kReserved, begin, cursor); continue; }
+      "typedef"  { Add(structured_ ? Kind::kTypedef : Kind::kReserved, begin, cursor); continue; }
+      "struct" | "union" { Add(Kind::kReserved, begin, cursor); continue; }
       "..."      { AddEllipsis(begin, cursor); continue; }
       letter (letter | digit)* { AddName(begin, cursor); continue; }
 

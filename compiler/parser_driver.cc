@@ -24,6 +24,7 @@ bool IsTypeWord(int kind) {
     case Kind::kStatic:
     case Kind::kConst:
     case Kind::kExtern:
+    case Kind::kTypedef:
     case Kind::kQualifier:
     case Kind::kStructureName:
       return true;
@@ -156,7 +157,8 @@ bool ParserDriver::InForHeader() const {
 
 void ParserDriver::RememberNames(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
-    if (tokens_[i].kind == Kind::kName) skipped_names_.insert(tokens_[i].text);
+    const int kind = tokens_[i].kind;
+    if (kind == Kind::kName || kind == Kind::kStructureName) skipped_names_.insert(tokens_[i].text);
   }
 }
 
@@ -164,7 +166,10 @@ void ParserDriver::RememberNames(size_t begin, size_t end) {
 // `({ a; })` in structured C.
 bool ParserDriver::ContinuesAfterBrace(const Token& error, const Token& next) const {
   if (dialect_ == Dialect::kCard) return false;
-  if (error.kind == Kind::kReserved) return next.kind == Kind::kName || next.kind == Kind::kStar;
+  if (error.kind == Kind::kReserved) {
+    return next.kind == Kind::kName || next.kind == Kind::kStructureName ||
+           next.kind == Kind::kStar;
+  }
   return error.kind == Kind::kOpenBrace && next.kind == Kind::kCloseParen;
 }
 

@@ -102,7 +102,6 @@ class ParserDriver {
   void RememberNames(size_t begin, size_t end);
   void ReportReservedWord(const Token& token);
   bool ReportUntranslatable(bool operand);
-  void DefineType(Diagnostic& diagnostic) const;
   bool ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects);
   const Token* UntypedFunction() const;
   bool AfterUntypedParameters() const;

@@ -36,9 +36,13 @@ std::string_view NameOrWord(const Declarator& declarator) {
 
 class Refusals {
  public:
-  Refusals(const std::unordered_set<std::string_view>& skipped_names, const Options& options,
+  Refusals(const std::unordered_set<std::string_view>& type_names,
+           const std::unordered_set<std::string_view>& skipped_names, const Options& options,
            Reporter& reporter)
-      : skipped_names_(skipped_names), options_(options), reporter_(reporter) {}
+      : type_names_(type_names),
+        skipped_names_(skipped_names),
+        options_(options),
+        reporter_(reporter) {}
 
   void FindNeeded(const Tree& tree);
   void VisitTopLevel(const Statement& item);
@@ -63,6 +67,7 @@ class Refusals {
   void TooLarge(const Expression& number, const Message& type, const Message& lowest,
                 const Message& highest);
 
+  const std::unordered_set<std::string_view>& type_names_;
   const std::unordered_set<std::string_view>& skipped_names_;
   const Options& options_;
   Reporter& reporter_;
@@ -262,6 +267,15 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     const std::string_view text = word->text;
     if (!spelled.empty()) spelled += ' ';
     spelled += text;
+    if (word->kind == Kind::kTypedef) {
+      good = good && (use == Use::kVariable || use == Use::kPointer || use == Use::kFunction);
+      if (use == Use::kFunction) {
+        reporter_.Report(Code::kNotForTheCard, word->range, text,
+                         MakeMessage("functions have no types of their own here; call them by name",
+                                     "此处函数没有自己的类型；请用名称调用"));
+      }
+      continue;
+    }
     if (word->kind == Kind::kStatic || word->kind == Kind::kConst || word->kind == Kind::kExtern ||
         word->kind == Kind::kQualifier) {
       const bool allowed =
@@ -302,6 +316,7 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     good =
         good &&
         (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) || !header_type.empty() ||
+         type_names_.contains(base) ||
          (base == "void" && (use == Use::kFunction || use == Use::kCast || use == Use::kPointer)) ||
          (structure != nullptr && structure->in_motion_program));
   }
@@ -395,10 +410,10 @@ void Refusals::TooLarge(const Expression& number, const Message& type, const Mes
 
 }  // namespace
 
-void RefuseUntranslatable(const Tree& tree,
+void RefuseUntranslatable(const Tree& tree, const std::unordered_set<std::string_view>& type_names,
                           const std::unordered_set<std::string_view>& skipped_names,
                           const Options& options, Reporter& reporter) {
-  Refusals refusals(skipped_names, options, reporter);
+  Refusals refusals(type_names, skipped_names, options, reporter);
   refusals.FindNeeded(tree);
   for (const StatementPtr& item : tree.items) refusals.VisitTopLevel(*item);
 }

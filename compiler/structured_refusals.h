@@ -15,14 +15,14 @@ namespace oncard::compiler {
 /// Reports what cannot be translated, about a static function that nothing calls in a remark alone.
 /// If nothing is reported:
 /// - the words of every type are `void`, `bool`, an integer type with or without a sign and size,
-///   `double`, a type of C's headers with at most 32 bits, an enum or a structure of the catalogue,
-///   perhaps with `const`, `static` or another qualifier, `extern` not in parameters and casts; an
-///   enum is defined in a declaration only;
+///   `double`, one of `type_names` alone, a type of C's headers with at most 32 bits, an enum or a
+///   structure of the catalogue, perhaps with `const`, `static` or another qualifier, `extern` not
+///   in parameters and casts; an enum is defined in a declaration only;
 /// - there are no pointers; `&` is an argument of a call; functions are called by name;
 /// - numbers fit their types; `-2147483648` is the only use of a decimal 2147483648.
 /// Nothing is said about types with `skipped_names`, which may have been defined in text with
 /// errors.
-void RefuseUntranslatable(const Tree& tree,
+void RefuseUntranslatable(const Tree& tree, const std::unordered_set<std::string_view>& type_names,
                           const std::unordered_set<std::string_view>& skipped_names,
                           const Options& options, Reporter& reporter);
 

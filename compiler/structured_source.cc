@@ -3,6 +3,7 @@
 #include "compiler/parser_driver.h"
 #include "compiler/preprocessor.h"
 #include "compiler/structured_refusals.h"
+#include "compiler/type_names.h"
 
 namespace oncard::compiler {
 
@@ -20,12 +21,13 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
     return preprocessor.IsSkipped(comment.range);
   });
   tokens_ = std::move(preprocessor.tokens());
+  const std::unordered_set<std::string_view> type_names = MarkTypeNames(tokens_);
   ParserDriver driver(tokens_, reporter, Dialect::kStructured);
   Parser parser(driver);
   parser.parse();
   tree_ = std::move(driver.tree);
   skipped_names_ = driver.skipped_names();
-  RefuseUntranslatable(tree_, skipped_names_, options, reporter);
+  RefuseUntranslatable(tree_, type_names, skipped_names_, options, reporter);
 }
 
 StructuredSource::StructuredSource(StructuredSource&&) noexcept = default;

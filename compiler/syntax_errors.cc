@@ -4,7 +4,6 @@
 #include <string>
 #include <unordered_map>
 
-#include "compiler/header_types.h"
 #include "compiler/lexer.h"
 #include "compiler/parser_driver.h"
 
@@ -21,10 +20,6 @@ Message WhyNotForTheCard(std::string_view word) {
         "the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or an array for "
         "each member",
         "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组");
-  }
-  if (word == "typedef") {
-    return MakeMessage("write the type itself, or #define the name",
-                       "请直接写出类型，或用 #define 定义名称");
   }
   if (word.find("asm") != std::string_view::npos) {
     return MakeMessage("the card does not run machine code", "控制卡不能运行机器码");
@@ -131,32 +126,8 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
   } else {
     return false;
   }
-  Diagnostic& diagnostic = reporter_.Report(Code::kNotForTheCard, found.range, word, why);
-  if (word == "typedef") DefineType(diagnostic);
+  reporter_.Report(Code::kNotForTheCard, found.range, word, why);
   return true;
-}
-
-// `typedef unsigned char byte;` as `#define byte unsigned char`, if the type is that simple. The
-// names of C's header types are words of a type, too.
-void ParserDriver::DefineType(Diagnostic& diagnostic) const {
-  size_t name = next_;
-  std::string type;
-  for (; name + 1 < tokens_.size() && tokens_[name + 1].kind != Kind::kSemicolon &&
-         IsTypeWord(tokens_[name].kind);
-       ++name) {
-    if (!type.empty()) type += ' ';
-    type += tokens_[name].text;
-  }
-  if (type.empty() || name + 1 >= tokens_.size()) return;
-  const Token& end = tokens_[name + 1];
-  const bool is_name =
-      tokens_[name].kind == Kind::kName || !TypeForHeaderType(tokens_[name].text).empty();
-  if (!is_name || end.kind != Kind::kSemicolon) return;
-  const bool in_one_file = tokens_[name].range.file == last_->range.file;
-  const bool followed = name + 2 < tokens_.size() && !tokens_[name + 2].on_new_line;
-  if (!in_one_file || !last_->on_new_line || followed) return;
-  Replace(diagnostic, Join(last_->range, end.range),
-          "#define " + std::string(tokens_[name].text) + ' ' + type);
 }
 
 // A syntax error for which structured C knows better than the expected tokens what is meant.

@@ -95,12 +95,13 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
   for (size_t i = 0; i < parameters.size(); ++i) {
     const Declarator& declarator = parameters[i]->declarator;
     const Expression& argument = *call.operands[i + 1];
-    const Type type = ResolveType(parameters[i]->specifiers);
+    const Type type = ResolveGlobalType(parameters[i]->specifiers);
     Symbol symbol;
     symbol.type = type;
+    symbol.type.rows = nullptr;
     symbol.range = declarator.name_range;
     symbol.offset = IntOperand(0);
-    if (!declarator.sizes.empty()) {
+    if (!declarator.sizes.empty() || type.rows != nullptr) {
       const Expression* start = &WithoutParens(argument);
       const bool address = start->kind == Expression::Kind::kUnary && start->op == "&";
       std::optional<ArrayPlace> array;
@@ -109,7 +110,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       }
       if (!address && RefuseArraySum(*start)) return false;
       array = LowerArray(*start);
-      std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
+      std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
       if (!array || !dimensions) return false;
       const size_t expected = dimensions->size() - (address ? 1 : 0);
       const bool same_rows = array->dimensions.size() == expected &&

@@ -5,6 +5,7 @@
 
 #include "compiler/header_types.h"
 #include "compiler/lowering/lowerer.h"
+#include "compiler/parser.hh"
 #include "vm/limits.h"
 
 namespace oncard::compiler::lowering {
@@ -43,11 +44,30 @@ bool Lowerer::HasWord(const Specifiers& specifiers, std::string_view word) const
 }
 
 Type Lowerer::ResolveType(const Specifiers& specifiers) const {
+  return TypeFrom(specifiers, nullptr);
+}
+
+// The type of a function's result or parameter, whose names are global also where it is inlined.
+Type Lowerer::ResolveGlobalType(const Specifiers& specifiers) const {
+  return TypeFrom(specifiers, scopes_.data());
+}
+
+// Names of types are those of the scope, or those that are visible.
+Type Lowerer::TypeFrom(const Specifiers& specifiers, const Scope* scope) const {
   constexpr std::string_view kBases[] = {"char", "double", "void", "bool", "_Bool"};
   Type type;
   Words words;
+  const Symbol* named = nullptr;
   for (const Token* token : specifiers.words) {
     const std::string_view word = token->text;
+    if (token->kind == Parser::token::kStructureName || token->kind == Parser::token::kInt) {
+      const Symbol* symbol = Lookup(word);
+      if (scope != nullptr) {
+        const auto found = scope->find(word);
+        symbol = found != scope->end() ? &found->second : nullptr;
+      }
+      if (symbol != nullptr && symbol->kind == Symbol::Kind::kType) named = symbol;
+    }
     type.is_const |= word == "const";
     const std::string_view header_type = TypeForHeaderType(word);
     words.is_short |= word == "short" || header_type.ends_with("short");
@@ -59,6 +79,13 @@ Type Lowerer::ResolveType(const Specifiers& specifiers) const {
     if (const gtcalls::Structure* structure = options_.catalogue->FindStructure(word)) {
       type.structure = structure;
     }
+  }
+  if (named != nullptr) {
+    const bool is_const = type.is_const || named->type.is_const;
+    type = named->type;
+    type.is_const = is_const;
+    type.rows = named->dimensions.empty() ? nullptr : &named->dimensions;
+    return type;
   }
   type.basic = type.structure != nullptr ? BasicType::kStructure : TypeOfWords(words);
   return type;
@@ -133,7 +160,8 @@ int Lowerer::VariableOf(const void* declaration, Variable::Role role, std::strin
   return variable;
 }
 
-std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declarator) {
+std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declarator,
+                                                        const Type& type) {
   std::vector<int64_t> dimensions;
   int64_t elements = 1;  // of one row, if the number of rows is not known
   for (size_t i = 0; i < declarator.sizes.size(); ++i) {
@@ -166,7 +194,41 @@ std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declar
       return std::nullopt;
     }
   }
+  if (type.rows == nullptr) return dimensions;
+  for (const int64_t size : *type.rows) elements *= size;
+  if (elements > vm::kSlotCount) {
+    Report(Code::kArraySize, declarator.head, declarator.name, std::to_string(elements),
+           int64_t{vm::kSlotCount});
+    return std::nullopt;
+  }
+  dimensions.insert(dimensions.end(), type.rows->begin(), type.rows->end());
   return dimensions;
+}
+
+// `typedef int name[4];`
+void Lowerer::DefineType(const Declarator& declarator, const Type& type) {
+  Symbol symbol;
+  symbol.kind = Symbol::Kind::kType;
+  symbol.type = type;
+  symbol.type.rows = nullptr;
+  symbol.range = declarator.name_range;
+  const std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
+  if (dimensions) symbol.dimensions = *dimensions;
+  if (dimensions && !dimensions->empty() && dimensions->front() == 0) {
+    Report(Code::kVariableSize, declarator.head, declarator.name);
+  }
+  if (declarator.initialiser != nullptr) {
+    Report(Code::kNotForTheCard, declarator.initialiser->range,
+           Source(declarator.initialiser->range),
+           MakeMessage("a type has no value; declare a variable", "类型没有值；请声明变量"));
+  }
+  // C lets it be said twice.
+  const auto known = scopes_.back().find(declarator.name);
+  const bool again =
+      known != scopes_.back().end() && known->second.kind == Symbol::Kind::kType &&
+      known->second.type.basic == type.basic && known->second.type.structure == type.structure &&
+      known->second.type.is_const == type.is_const && known->second.dimensions == symbol.dimensions;
+  if (!again) Define(declarator.name, std::move(symbol));
 }
 
 // The constants of an enum, in the scope that declares it.
@@ -196,6 +258,10 @@ void Lowerer::LowerDeclaration(const Statement& statement) {
   if (statement.declarators.empty()) return;
   const Type type = ResolveType(statement.specifiers);
   for (const Declarator& declarator : statement.declarators) {
+    if (HasWord(statement.specifiers, "typedef")) {
+      DefineType(declarator, type);
+      continue;
+    }
     if (DeclareConstant(declarator, type)) continue;
     const bool is_extern = HasWord(statement.specifiers, "extern");
     if (frame_ == nullptr) {
@@ -211,7 +277,7 @@ void Lowerer::LowerDeclaration(const Statement& statement) {
 // A const number with a known value takes no storage.
 bool Lowerer::DeclareConstant(const Declarator& declarator, const Type& type) {
   if (!type.is_const || !IsArithmetic(type.basic) || !declarator.sizes.empty() ||
-      declarator.initialiser == nullptr) {
+      type.rows != nullptr || declarator.initialiser == nullptr) {
     return false;
   }
   const std::optional<TypedConstant> value = Evaluate(*declarator.initialiser);
@@ -246,7 +312,8 @@ int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
 // `[]` has as many rows as there are values for; in `extern int a[];` a later declaration says how
 // many.
 void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
-  std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
+  std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, symbol.type);
+  symbol.type.rows = nullptr;
   symbol.invalid = !dimensions;
   if (!dimensions) return;
   symbol.dimensions = std::move(*dimensions);
@@ -340,6 +407,12 @@ void Lowerer::DeclareExtern(const Declarator& declarator) {
 // which is reported.
 bool Lowerer::IsUsable(const Symbol& symbol, std::string_view name) {
   if (symbol.is_extern) Report(Code::kNotForTheCard, symbol.range, name, WhyNoExtern());
+  if (symbol.kind == Symbol::Kind::kType) {
+    Report(Code::kNotForTheCard, symbol.range, name,
+           MakeMessage("a type and a variable have this name; choose another one",
+                       "类型和变量同用此名称；请另取一个名称"));
+    return false;
+  }
   return !symbol.invalid && !symbol.is_extern;
 }
 

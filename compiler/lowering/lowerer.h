@@ -126,7 +126,7 @@ class Lowerer {
     size_t as_copies = 0;
   };
   struct Symbol {
-    enum class Kind : uint8_t { kVariable, kConstant, kFunction };
+    enum class Kind : uint8_t { kVariable, kConstant, kFunction, kType };
     Kind kind = Kind::kVariable;
     Type type;
     SourceRange range;
@@ -211,6 +211,9 @@ class Lowerer {
 
   // --- declarations.cc ---
   Type ResolveType(const Specifiers& specifiers) const;
+  Type ResolveGlobalType(const Specifiers& specifiers) const;
+  Type TypeFrom(const Specifiers& specifiers, const Scope* scope) const;
+  void DefineType(const Declarator& declarator, const Type& type);
   bool HasWord(const Specifiers& specifiers, std::string_view word) const;
   virtual void LowerDeclaration(const Statement& statement);
   void DefineEnumeration(const Enumeration& enumeration);
@@ -221,7 +224,7 @@ class Lowerer {
   bool IsUsable(const Symbol& symbol, std::string_view name);
   void DeclareLocal(const Declarator& declarator, const Type& type, bool is_static);
   bool DeclareConstant(const Declarator& declarator, const Type& type);
-  std::optional<std::vector<int64_t>> Dimensions(const Declarator& declarator);
+  std::optional<std::vector<int64_t>> Dimensions(const Declarator& declarator, const Type& type);
   void SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol);
   void Define(std::string_view name, Symbol symbol);
   const Symbol* Lookup(std::string_view name) const;

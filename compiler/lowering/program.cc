@@ -43,7 +43,12 @@ void Lowerer::DeclareFunction(const Function& syntax) {
   FunctionInfo& info = functions_.emplace_back();
   info.syntax = &syntax;
   info.order = order_;
-  info.type = ResolveType(syntax.specifiers);
+  info.type = ResolveGlobalType(syntax.specifiers);
+  if (info.type.rows != nullptr) {
+    Report(Code::kNotLowered, syntax.specifiers.range,
+           MakeMessage("a function whose result is an array", "返回数组的函数"),
+           MakeMessage("write the result to an array parameter", "请把结果写入数组参数"));
+  }
   if (info.type.structure != nullptr) {
     Report(Code::kNotLowered, syntax.specifiers.range,
            MakeMessage("a function whose result is a structure", "返回结构的函数"),
@@ -141,10 +146,10 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   scopes_.emplace_back();
   BeginFullExpression(syntax.header);
   for (const ParameterDeclaration& parameter : syntax.parameters) {
-    const Type type = ResolveType(parameter.specifiers);
+    const Type type = ResolveGlobalType(parameter.specifiers);
     const Declarator& declarator = parameter.declarator;
     if (type.basic == BasicType::kVoid) continue;
-    if (!declarator.sizes.empty() || type.structure != nullptr) {
+    if (!declarator.sizes.empty() || type.rows != nullptr || type.structure != nullptr) {
       Report(Code::kThreadParameter, parameter.range, declarator.name, syntax.name);
       Symbol unusable;
       unusable.range = declarator.name_range;

@@ -50,7 +50,8 @@ std::optional<BasicType> Lowerer::CastType(const Expression& expression) {
   const TypeName& name = *expression.type;
   if (!name.sizes.empty()) return std::nullopt;
   const Type type = ResolveType(name.specifiers);
-  return type.structure != nullptr ? std::nullopt : std::optional(type.basic);
+  return type.structure != nullptr || type.rows != nullptr ? std::nullopt
+                                                           : std::optional(type.basic);
 }
 
 // Empty for what has no size here.
@@ -70,6 +71,9 @@ std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
       const std::optional<int64_t> value = size != nullptr ? EvaluateInteger(*size) : std::nullopt;
       if (!value) return std::nullopt;
       dimensions.push_back(*value);
+    }
+    if (type.rows != nullptr) {
+      dimensions.insert(dimensions.end(), type.rows->begin(), type.rows->end());
     }
     return product(size_of(type), dimensions, 0);
   }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "gtcalls/catalogue.h"
 #include "vm/opcodes.h"
@@ -30,6 +31,9 @@ struct Type {
   BasicType basic = BasicType::kInt;
   const gtcalls::Structure* structure = nullptr;
   bool is_const = false;
+  /// The dimensions of a named array type, `typedef int row[4];`; nullptr for any other type. Only
+  /// a declaration has it: what it declares has dimensions itself.
+  const std::vector<int64_t>* rows = nullptr;
 };
 
 constexpr bool IsInteger(BasicType type) {

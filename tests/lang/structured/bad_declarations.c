@@ -8,7 +8,7 @@ int up(int a) { return a; }
 __attribute__((noinline)) int attributed(int a) { return a; } // expect warning MP218
 int aligned __attribute__((aligned(4), unused)); // expect error MP206 // expect warning MP218
 __attribute__((__packed__)) int packed; // expect error MP206
-typedef unsigned char byte; // expect error MP206
+typedef unsigned char byte;
 byte first;
 void t0() {
   void *p; // expect error MP129

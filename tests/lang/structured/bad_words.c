@@ -2,7 +2,11 @@
 struct Point { int x; int y; }; // expect error MP206
 struct Point origin; // expect error MP206
 union Word { int all; char bytes[4]; } word; // expect error MP206
-typedef unsigned int u32; // expect error MP206
+typedef struct { int x; } pair; // expect error MP206
+typedef int (*handler)(int); // expect error MP206
+typedef int *place; // expect error MP129
+typedef int function(int a); // expect error MP206
+pair pairs[2];
 int (*callback)(int); // expect error MP206
 int print(int format, ...); // expect error MP206
 _Static_assert(sizeof(int) == 4); // expect error MP206
