@@ -54,6 +54,7 @@ class Refusals {
   void Excuse(const Function& function, size_t known);
   void VisitFunction(const Function& function);
   void VisitHead(const Function& function);
+  bool IsReference(const ParameterDeclaration& parameter) const;
   void VisitStatement(const Statement& statement);
   void VisitBody(const Statement* body, std::string_view word);
   void VisitDeclaration(const Statement& statement);
@@ -157,6 +158,16 @@ void Refusals::VisitFunction(const Function& function) {
   if (!needed_.contains(function.name)) Excuse(function, known);
 }
 
+// `int *a`: a number or an array of the caller.
+bool Refusals::IsReference(const ParameterDeclaration& parameter) const {
+  const std::vector<const Token*>& words = parameter.specifiers.words;
+  return parameter.declarator.pointer == 1 && parameter.declarator.sizes.empty() &&
+         std::none_of(words.begin(), words.end(), [this](const Token* word) {
+           return word->kind == Kind::kVoid ||
+                  options_.catalogue->FindStructure(word->text) != nullptr;
+         });
+}
+
 // The name and the parameters.
 void Refusals::VisitHead(const Function& function) {
   if (function.pointer) reporter_.Report(Code::kPointer, function.name_range, function.name);
@@ -172,12 +183,17 @@ void Refusals::VisitHead(const Function& function) {
     const bool nothing = function.parameters.size() == 1 && declarator.name.empty() &&
                          specifiers.words.size() == 1 && specifiers.words[0]->text == "void";
     if (nothing && !declarator.pointer && declarator.sizes.empty()) continue;
-    VisitSpecifiers(specifiers, declarator.pointer ? Use::kPointer : Use::kParameter);
-    if (declarator.pointer) {
-      AddNote(ReportPointer(declarator,
-                            declarator.name.empty() ? parameter.range : declarator.name_range),
-              MakeMessage("an array as a parameter is written '{0}[]'; its elements may be changed",
-                          "数组参数写作 '{0}[]'，其元素可以修改", NameOrWord(declarator)));
+    const bool reference = IsReference(parameter);
+    VisitSpecifiers(specifiers,
+                    declarator.pointer > 0 && !reference ? Use::kPointer : Use::kParameter);
+    if (declarator.pointer > 0 && !reference) {
+      AddNote(
+          ReportPointer(declarator,
+                        declarator.name.empty() ? parameter.range : declarator.name_range),
+          MakeMessage("a parameter may be 'int *{0}' for a number or an array of the caller, with "
+                      "one star and a type of numbers",
+                      "参数可以写作 'int *{0}'，代表调用者的数或数组：只有一个星号，类型为数",
+                      NameOrWord(declarator)));
     }
     VisitSizesAndValues(declarator);
     if (!function.prototype && declarator.name.empty()) {
@@ -354,11 +370,7 @@ void Refusals::Visit(const Expression* expression) {
       break;
     case EKind::kUnary: {
       const Expression& operand = *expression->operands[0];
-      if (expression->op == "*") {
-        reporter_.Report(Code::kNeedsPointer, expression->op_range, expression->op);
-      } else if (expression->op == "&") {
-        reporter_.Report(Code::kAddress, expression->op_range);
-      } else if (expression->op == "-" && operand.kind == EKind::kLiteral) {
+      if (expression->op == "-" && operand.kind == EKind::kLiteral) {
         VisitNumber(operand, true);
         return;
       }
@@ -376,11 +388,7 @@ void Refusals::VisitCall(const Expression& call) {
   if (callee.kind != EKind::kName && callee.kind != EKind::kError) {
     reporter_.Report(Code::kIndirectCall, callee.range);
   }
-  for (size_t i = 1; i < call.operands.size(); ++i) {
-    const Expression& argument = *call.operands[i];
-    const bool address = argument.kind == EKind::kUnary && argument.op == "&";
-    Visit(address ? argument.operands[0].get() : &argument);
-  }
+  for (size_t i = 1; i < call.operands.size(); ++i) Visit(call.operands[i].get());
 }
 
 // The number fits its type: `-2147483648` is one number, although C reads two.

@@ -18,7 +18,7 @@ namespace oncard::compiler {
 ///   `double`, one of `type_names` alone, a type of C's headers with at most 32 bits, an enum or a
 ///   structure of the catalogue, perhaps with `const`, `static` or another qualifier, `extern` not
 ///   in parameters and casts; an enum is defined in a declaration only;
-/// - there are no pointers; `&` is an argument of a call; functions are called by name;
+/// - there are no pointers but parameters with one star, of numbers; functions are called by name;
 /// - numbers fit their types; `-2147483648` is the only use of a decimal 2147483648.
 /// Nothing is said about types with `skipped_names`, which may have been defined in text with
 /// errors.

@@ -111,8 +111,8 @@ struct Declarator {
   SourceRange range;  ///< from the name to the end of the initialiser
   SourceRange name_range;
   std::string_view name;
-  SourceRange head;  ///< from the name to the last dimension
-  bool pointer = false;
+  SourceRange head;                  ///< from the name to the last dimension
+  int pointer = 0;                   ///< stars before the name
   std::vector<ExpressionPtr> sizes;  ///< nullptr for `[]`
   ExpressionPtr initialiser;
 };

@@ -160,8 +160,10 @@ void Lowerer::EmitAsserts(const Statement& statement) {
                              "没有指明 '{0}' 中位置已知的元素", word));
           return;
         }
-        operand.kind = Operand::Kind::kElement;
-        operand.value = element;
+        const bool number = program_.variables[static_cast<size_t>(symbol->variable)].size == 0;
+        if (!number) operand.kind = Operand::Kind::kElement;
+        if (!number) operand.value = element;
+        if (number) element = -1;
       } else if (symbol->type.structure != nullptr) {
         operand.kind = Operand::Kind::kMember;
       }

@@ -52,20 +52,60 @@ Value Lowerer::LowerCall(const Expression& expression) {
   return LowerOwnCall(expression, *symbol->function);
 }
 
-// `data + 1` where a parameter is an array: there are no pointers, but an array may begin at an
-// element.
-bool Lowerer::RefuseArraySum(const Expression& argument) {
-  if (argument.kind != Expression::Kind::kBinary || argument.op != "+") return false;
-  const Expression* array = argument.operands[0].get();
-  const Expression* number = argument.operands[1].get();
-  if (!IsArray(*array)) std::swap(array, number);
-  if (!IsArray(*array)) return false;
-  const std::string element = fmt::format("&{}[{}]", Source(array->range), Source(number->range));
-  Diagnostic* diagnostic = Report(
-      Code::kMisuse, argument.range, Source(argument.range), MakeMessage("a pointer", "指针"),
-      MakeMessage("the address of an element: {0}", "元素的地址：{0}", element));
-  if (diagnostic != nullptr) Replace(*diagnostic, argument.range, element);
-  return true;
+// A parameter that stands for what its argument names in the caller.
+std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration& parameter,
+                                                      const Expression& argument,
+                                                      const FunctionInfo& info) {
+  const Declarator& declarator = parameter.declarator;
+  const Type type = ResolveGlobalType(parameter.specifiers);
+  if (type.structure != nullptr) {
+    Report(Code::kBadParameter, parameter.range, Source(parameter.range));
+    return std::nullopt;
+  }
+  std::optional<ArrayPlace> array = LowerArray(argument);
+  std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
+  if (!array || !dimensions) return std::nullopt;
+  const bool same_rows =
+      array->dimensions.size() == dimensions->size() &&
+      std::equal(dimensions->begin() + 1, dimensions->end(), array->dimensions.begin() + 1);
+  if (!same_rows || array->element.basic != type.basic) {
+    Report(Code::kArrayArgument, argument.range, Source(argument.range), info.syntax->name,
+           Source(parameter.range));
+    return std::nullopt;
+  }
+  // How many elements there are is that of the argument.
+  dimensions->front() = array->dimensions.front();
+  Symbol symbol;
+  symbol.type = type;
+  symbol.type.rows = nullptr;
+  symbol.type.is_const |= array->element.is_const;
+  symbol.range = declarator.name_range;
+  symbol.is_reference = true;
+  symbol.dimensions = std::move(*dimensions);
+  symbol.variable = array->variable;
+  symbol.offset = Stable(array->offset, argument.range);
+  return symbol;
+}
+
+// Where an array begins is that before the call, also if the function changes the variable that
+// says it: `f(&a[i], &i)`.
+void Lowerer::KeepOffsets(Scope& scope, SourceRange range) {
+  std::vector<Symbol*> references;
+  for (auto& [name, symbol] : scope) {
+    if (symbol.is_reference) references.push_back(&symbol);
+  }
+  std::sort(references.begin(), references.end(),
+            [](const Symbol* a, const Symbol* b) { return a->range.begin < b->range.begin; });
+  for (Symbol* symbol : references) {
+    const bool changes =
+        std::any_of(references.begin(), references.end(), [&](const Symbol* other) {
+          return symbol->offset.IsVariable() && other->variable == symbol->offset.variable;
+        });
+    if (!changes) continue;
+    const Operand kept = NewTemporary(vm::DataType::kInt, range);
+    EmitCopy(kept, symbol->offset, range);
+    symbol->offset = kept;
+  }
 }
 
 // Gives the parameters their values. All arguments are computed before the first is assigned.
@@ -98,35 +138,12 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     const Type type = ResolveGlobalType(parameters[i]->specifiers);
     Symbol symbol;
     symbol.type = type;
-    symbol.type.rows = nullptr;
     symbol.range = declarator.name_range;
     symbol.offset = IntOperand(0);
-    if (!declarator.sizes.empty() || type.rows != nullptr) {
-      const Expression* start = &WithoutParens(argument);
-      const bool address = start->kind == Expression::Kind::kUnary && start->op == "&";
-      std::optional<ArrayPlace> array;
-      if (address) {
-        start = &WithoutParens(*start->operands[0]);
-      }
-      if (!address && RefuseArraySum(*start)) return false;
-      array = LowerArray(*start);
-      std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
-      if (!array || !dimensions) return false;
-      const size_t expected = dimensions->size() - (address ? 1 : 0);
-      const bool same_rows = array->dimensions.size() == expected &&
-                             std::equal(dimensions->begin() + 1, dimensions->end(),
-                                        array->dimensions.begin() + (address ? 0 : 1));
-      if (!same_rows || array->element.basic != type.basic) {
-        Report(Code::kArrayArgument, argument.range, Source(argument.range), syntax.name,
-               Source(parameters[i]->range));
-        return false;
-      }
-      // How many elements there are is that of the argument.
-      dimensions->front() = address ? 0 : array->dimensions.front();
-      symbol.dimensions = std::move(*dimensions);
-      symbol.variable = array->variable;
-      symbol.offset = Stable(array->offset, argument.range);
-      symbol.type.is_const |= array->element.is_const;
+    if (IsReference(declarator, type)) {
+      std::optional<Symbol> reference = BindReference(*parameters[i], argument, info);
+      if (!reference) return false;
+      symbol = std::move(*reference);
     } else {
       if (type.structure != nullptr) {
         Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
@@ -145,6 +162,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     }
     if (!declarator.name.empty()) scope.emplace(declarator.name, std::move(symbol));
   }
+  KeepOffsets(scope, call.range);
   for (const Argument& copy : copies) Store(copy.place, copy.value, copy.range, false);
   return good;
 }

@@ -18,13 +18,11 @@ std::optional<Operand> Lowerer::LowerAddress(const Expression& argument) {
   if (IsArray(target)) {
     const std::optional<ArrayPlace> array = LowerArray(target);
     if (!array) return std::nullopt;
-    operand.kind = Operand::Kind::kElement;
-    operand.variable = array->variable;
-    operand.type = program_.variables[static_cast<size_t>(array->variable)].type;
-    if (array->offset.IsConstant()) {
-      operand.value = array->offset.value;
-    } else {
-      operand.index = Stable(array->offset, target.range).variable;
+    const std::optional<Operand> element = ElementOf(*array, target.range);
+    if (!element) return std::nullopt;
+    operand = *element;
+    if (operand.index >= 0) {
+      operand.index = Stable(VariableOperand(operand.index), target.range).variable;
     }
     if (array->element.is_const) Report(Code::kWriteToConst, target.range, Source(target.range));
   } else {

@@ -160,10 +160,16 @@ int Lowerer::VariableOf(const void* declaration, Variable::Role role, std::strin
   return variable;
 }
 
+// Whether a parameter stands for a number or an array of the caller: `int a[4]`, `int *a`.
+bool Lowerer::IsReference(const Declarator& parameter, const Type& type) {
+  return !parameter.sizes.empty() || parameter.pointer > 0 || type.rows != nullptr;
+}
+
 std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declarator,
                                                         const Type& type) {
   std::vector<int64_t> dimensions;
   int64_t elements = 1;  // of one row, if the number of rows is not known
+  if (declarator.pointer > 0) dimensions.push_back(0);
   for (size_t i = 0; i < declarator.sizes.size(); ++i) {
     const Expression* size = declarator.sizes[i].get();
     if (size == nullptr) {

@@ -71,10 +71,13 @@ Value Lowerer::LowerUnary(const Expression& expression) {
   const std::string_view op = expression.op;
   if (op == "++" || op == "--") return LowerStep(expression, true);
   if (op == "&") {
-    Report(Code::kIllegalOperator, expression.op_range, op,
-           MakeMessage("there are no pointers; only an argument of a GT command is an address",
-                       "没有指针；只有 GT 指令的参数可以是地址"));
+    Report(Code::kAddress, expression.op_range);
     return {};
+  }
+  if (op == "*") {
+    const std::optional<Place> place = LowerPlace(expression);
+    if (!place) return {};
+    return {place->operand, place->type.basic, place->type.basic};
   }
   const Expression& inner = *expression.operands[0];
   if (op == "!") {

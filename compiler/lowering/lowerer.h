@@ -132,8 +132,9 @@ class Lowerer {
     SourceRange range;
     int order = 0;  // of a global: position in the program
     bool invalid = false;
-    bool is_extern = false;    // a global that is declared and not defined so far
-    bool initialised = false;  // a global
+    bool is_extern = false;     // a global that is declared and not defined so far
+    bool initialised = false;   // a global
+    bool is_reference = false;  // a parameter that stands for a number or an array of the caller
     int variable = -1;
     std::vector<int64_t> dimensions;
     Operand offset;
@@ -224,6 +225,7 @@ class Lowerer {
   bool IsUsable(const Symbol& symbol, std::string_view name);
   void DeclareLocal(const Declarator& declarator, const Type& type, bool is_static);
   bool DeclareConstant(const Declarator& declarator, const Type& type);
+  static bool IsReference(const Declarator& parameter, const Type& type);
   std::optional<std::vector<int64_t>> Dimensions(const Declarator& declarator, const Type& type);
   void SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol);
   void Define(std::string_view name, Symbol symbol);
@@ -325,8 +327,13 @@ class Lowerer {
   /// The int that is the value of an index.
   virtual std::optional<Operand> LowerIndex(const Expression& index);
   std::optional<ArrayPlace> LowerArray(const Expression& expression);
-  const Symbol* ArrayOf(const Expression& expression, size_t* indices) const;
+  const Symbol* ArrayOf(const Expression& expression, int* indices) const;
   bool IsArray(const Expression& expression) const;
+  std::optional<ArrayPlace> LowerNamedArray(const Expression& name);
+  std::optional<ArrayPlace> LowerAddressed(const Expression& target);
+  std::optional<ArrayPlace> LowerArraySum(const Expression& sum);
+  void Advance(ArrayPlace& array, const Operand& count, bool back, SourceRange range);
+  std::optional<Operand> ElementOf(const ArrayPlace& array, SourceRange range);
   std::optional<Place> LowerElement(const Expression& expression);
   std::optional<Place> LowerMember(const Expression& expression);
   void ReportUndeclared(const Expression& name);
@@ -347,7 +354,9 @@ class Lowerer {
   Value LowerCall(const Expression& expression);
   Value LowerOwnCall(const Expression& call, FunctionInfo& info);
   void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
-  bool RefuseArraySum(const Expression& argument);
+  std::optional<Symbol> BindReference(const ParameterDeclaration& parameter,
+                                      const Expression& argument, const FunctionInfo& info);
+  void KeepOffsets(Scope& scope, SourceRange range);
   bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
   Value LowerMagnitude(const Expression& call, bool real);
 

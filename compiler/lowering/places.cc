@@ -1,4 +1,7 @@
 // What can be assigned: variables, elements of arrays with any number of dimensions, members.
+#include <algorithm>
+#include <utility>
+
 #include "base/nearest.h"
 #include "compiler/lowering/lowerer.h"
 
@@ -31,22 +34,41 @@ bool Lowerer::CheckWritable(const Place& place, const Expression& expression) {
   return false;
 }
 
-// The array whose name an expression begins with, and the number of indices after it.
-const Lowerer::Symbol* Lowerer::ArrayOf(const Expression& expression, size_t* indices) const {
+// The variable that an expression leads to by indices, stars, `&` and sums, and how many dimensions
+// it goes down: `a[1]` and `*a` one, `a + 1` none, `&x` one up. Other expressions have none.
+const Lowerer::Symbol* Lowerer::ArrayOf(const Expression& expression, int* indices) const {
+  using Kind = Expression::Kind;
   *indices = 0;
   const Expression* inner = &WithoutParens(expression);
-  while (inner->kind == Expression::Kind::kIndex) {
-    ++*indices;
-    inner = &WithoutParens(*inner->operands[0]);
+  for (;; inner = &WithoutParens(*inner->operands[0])) {
+    if (inner->kind == Kind::kIndex || (inner->kind == Kind::kUnary && inner->op == "*")) {
+      ++*indices;
+    } else if (inner->kind == Kind::kUnary && inner->op == "&") {
+      --*indices;
+    } else if (inner->kind == Kind::kBinary && inner->op == "+") {
+      // The array is on either side.
+      const int outer = *indices;
+      const Symbol* symbol = ArrayOf(*inner->operands[0], indices);
+      const bool found = symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
+                         static_cast<int>(symbol->dimensions.size()) > *indices;
+      if (!found) symbol = ArrayOf(*inner->operands[1], indices);
+      *indices += outer;
+      return symbol;
+    } else if (inner->kind == Kind::kBinary && inner->op == "-") {
+      continue;
+    } else {
+      break;
+    }
   }
-  return inner->kind == Expression::Kind::kName ? Lookup(inner->text) : nullptr;
+  return inner->kind == Kind::kName ? Lookup(inner->text) : nullptr;
 }
 
-// True for a whole array or a row of one.
+// True for a whole array, a row of one, or the place of a number, as in `&x`.
 bool Lowerer::IsArray(const Expression& expression) const {
-  size_t indices = 0;
+  int indices = 0;
   const Symbol* symbol = ArrayOf(expression, &indices);
-  return symbol != nullptr && symbol->dimensions.size() > indices;
+  return symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
+         static_cast<int>(symbol->dimensions.size()) > indices;
 }
 
 std::optional<Operand> Lowerer::LowerIndex(const Expression& index) {
@@ -59,26 +81,100 @@ std::optional<Operand> Lowerer::LowerIndex(const Expression& index) {
   return std::nullopt;
 }
 
-std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
-  const Expression& inner = WithoutParens(expression);
-  if (inner.kind == Expression::Kind::kName) {
-    const Symbol* symbol = Lookup(inner.text);
-    if (symbol == nullptr) {
-      ReportUndeclared(inner);
-      return std::nullopt;
-    }
-    if (!IsUsable(*symbol, inner.text)) return std::nullopt;
-    if (symbol->dimensions.empty()) {
-      Report(Code::kMisuse, inner.range, inner.text, MakeMessage("not an array", "不是数组"),
-             MakeMessage("an array before '['", "'[' 之前应为数组"));
-      return std::nullopt;
-    }
-    return ArrayPlace{symbol->variable, symbol->offset, symbol->dimensions, symbol->type,
-                      inner.text};
+std::optional<ArrayPlace> Lowerer::LowerNamedArray(const Expression& name) {
+  const Symbol* symbol = Lookup(name.text);
+  if (symbol == nullptr) {
+    ReportUndeclared(name);
+    return std::nullopt;
   }
-  if (inner.kind != Expression::Kind::kIndex) {
+  if (!IsUsable(*symbol, name.text)) return std::nullopt;
+  if (symbol->dimensions.empty()) {
+    Report(Code::kMisuse, name.range, name.text, MakeMessage("not an array", "不是数组"),
+           MakeMessage("an array before '['", "'[' 之前应为数组"));
+    return std::nullopt;
+  }
+  return ArrayPlace{symbol->variable, symbol->offset, symbol->dimensions, symbol->type, name.text};
+}
+
+// `&target`: an array whose first element, or row, it is.
+std::optional<ArrayPlace> Lowerer::LowerAddressed(const Expression& target) {
+  const Expression& inner = WithoutParens(target);
+  const Symbol* symbol = inner.kind == Expression::Kind::kName ? Lookup(inner.text) : nullptr;
+  const bool number = symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
+                      symbol->dimensions.empty() && symbol->type.structure == nullptr;
+  if (inner.kind == Expression::Kind::kMember ||
+      (symbol != nullptr && !number && !IsArray(inner))) {
+    Report(Code::kMisuse, inner.range, Source(inner.range),
+           MakeMessage("nothing that a parameter can stand for", "不能由参数代表的内容"),
+           MakeMessage("a variable or an array; copy it to one before the call, and back",
+                       "变量或数组；请在调用前复制到变量中，之后再复制回来"));
+    return std::nullopt;
+  }
+  std::optional<ArrayPlace> array;
+  if (!number) {
+    array = LowerArray(inner);
+  } else if (IsUsable(*symbol, inner.text)) {
+    array = ArrayPlace{symbol->variable, IntOperand(0), {}, symbol->type, inner.text};
+  }
+  if (array) array->dimensions.insert(array->dimensions.begin(), 0);
+  return array;
+}
+
+// `a + 1`, `1 + a`, `a - 1`: what begins there.
+std::optional<ArrayPlace> Lowerer::LowerArraySum(const Expression& sum) {
+  const Expression* whole = sum.operands[0].get();
+  const Expression* number = sum.operands[1].get();
+  const bool back = sum.op == "-";
+  if (!back && !IsArray(*whole)) std::swap(whole, number);
+  std::optional<ArrayPlace> array = LowerArray(*whole);
+  if (!array) return std::nullopt;
+  const std::optional<Operand> count = LowerIndex(*number);
+  if (!count) return std::nullopt;
+  Advance(*array, *count, back, sum.range);
+  array->dimensions[0] = 0;
+  return array;
+}
+
+// Moves the beginning of an array by rows of its first dimension.
+void Lowerer::Advance(ArrayPlace& array, const Operand& count, bool back, SourceRange range) {
+  int64_t row = 1;
+  for (size_t i = 1; i < array.dimensions.size(); ++i) row *= array.dimensions[i];
+  Operand offset = count;
+  if (count.IsConstant() && (row != 1 || back)) {
+    offset = IntOperand(back ? -count.value * row : count.value * row);
+  } else if (row != 1) {
+    offset = Compute(vm::BinaryOperator::kMultiply, count, IntOperand(row), BasicType::kInt, range)
+                 .operand;
+  }
+  const bool subtracts = back && !count.IsConstant();
+  if (array.offset.IsConstant() && array.offset.value == 0 && !subtracts) {
+    array.offset = offset;
+  } else if (array.offset.IsConstant() && offset.IsConstant()) {
+    array.offset = IntOperand(array.offset.value + offset.value);
+  } else if (!(offset.IsConstant() && offset.value == 0)) {
+    array.offset = Compute(subtracts ? vm::BinaryOperator::kSubtract : vm::BinaryOperator::kAdd,
+                           array.offset, offset, BasicType::kInt, range)
+                       .operand;
+  }
+}
+
+std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
+  using Kind = Expression::Kind;
+  const Expression& inner = WithoutParens(expression);
+  if (inner.kind == Kind::kName) return LowerNamedArray(inner);
+  if (inner.kind == Kind::kUnary && inner.op == "&") return LowerAddressed(*inner.operands[0]);
+  if (inner.kind == Kind::kBinary && IsArray(inner)) return LowerArraySum(inner);
+  const bool star = inner.kind == Kind::kUnary && inner.op == "*";
+  if (inner.kind != Kind::kIndex && !star) {
     Report(Code::kMisuse, inner.range, Source(inner.range), MakeMessage("not an array", "不是数组"),
            MakeMessage("an array before '['", "'[' 之前应为数组"));
+    return std::nullopt;
+  }
+  if (star && !IsArray(*inner.operands[0])) {
+    int indices = 0;
+    const Symbol* symbol = ArrayOf(*inner.operands[0], &indices);
+    if (symbol != nullptr && symbol->invalid) return std::nullopt;
+    Report(Code::kNeedsPointer, inner.op_range, inner.op);
     return std::nullopt;
   }
   std::optional<ArrayPlace> array = LowerArray(*inner.operands[0]);
@@ -88,67 +184,66 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
            MakeMessage("an element", "数组元素"), MakeMessage("fewer indices", "更少的下标"));
     return std::nullopt;
   }
-  const Expression& index = *inner.operands[1];
-  std::optional<Operand> offset = LowerIndex(index);
-  if (!offset) return std::nullopt;
-  const int64_t size = array->dimensions[0];
-  const bool constant = offset->IsConstant();
-  if (constant && (offset->value < 0 || (size > 0 && offset->value >= size))) {
-    Report(Code::kIndexOutOfBounds, index.range, offset->value, array->name, size - 1);
-    return std::nullopt;
+  if (!star) {
+    const Expression& index = *inner.operands[1];
+    const std::optional<Operand> count = LowerIndex(index);
+    if (!count) return std::nullopt;
+    const int64_t size = array->dimensions[0];
+    if (size > 0 && count->IsConstant() && (count->value < 0 || count->value >= size)) {
+      Report(Code::kIndexOutOfBounds, index.range, count->value, array->name, size - 1);
+      return std::nullopt;
+    }
+    Advance(*array, *count, false, inner.range);
   }
   array->dimensions.erase(array->dimensions.begin());
-  int64_t row = 1;
-  for (const int64_t dimension : array->dimensions) row *= dimension;
-  if (row != 1) {
-    offset = constant ? IntOperand(offset->value * row)
-                      : Compute(vm::BinaryOperator::kMultiply, *offset, IntOperand(row),
-                                BasicType::kInt, inner.range)
-                            .operand;
-  }
-  if (array->offset.IsConstant() && array->offset.value == 0) {
-    array->offset = *offset;
-  } else if (array->offset.IsConstant() && offset->IsConstant()) {
-    array->offset = IntOperand(array->offset.value + offset->value);
-  } else if (!(offset->IsConstant() && offset->value == 0)) {
-    array->offset =
-        Compute(vm::BinaryOperator::kAdd, array->offset, *offset, BasicType::kInt, inner.range)
-            .operand;
-  }
   return array;
 }
 
+// The first element of an array; a number, if the array is the place of one.
+std::optional<Operand> Lowerer::ElementOf(const ArrayPlace& array, SourceRange range) {
+  const Variable& variable = program_.variables[static_cast<size_t>(array.variable)];
+  const int64_t size = std::max(variable.size, 1);
+  if (array.offset.IsConstant() && (array.offset.value < 0 || array.offset.value >= size)) {
+    Report(Code::kIndexOutOfBounds, range, array.offset.value, array.name, size - 1);
+    return std::nullopt;
+  }
+  if (variable.size == 0 && array.offset.IsConstant()) return VariableOperand(array.variable);
+  if (variable.size == 0) {
+    Report(Code::kNotLowered, range,
+           MakeMessage("an index into '{0}', which is one number here",
+                       "'{0}' 的下标，它在此处是一个数", array.name),
+           MakeMessage("pass an array", "请传递数组"));
+    return std::nullopt;
+  }
+  Operand operand;
+  operand.kind = Operand::Kind::kElement;
+  operand.type = variable.type;
+  operand.variable = array.variable;
+  if (array.offset.IsConstant()) {
+    operand.value = array.offset.value;
+    operand.name = array.offset.name;
+    return operand;
+  }
+  Operand index = array.offset;
+  if (!index.IsVariable()) {
+    const Operand loaded = NewTemporary(vm::DataType::kInt, range);
+    EmitCopy(loaded, index, range);
+    index = loaded;
+  }
+  operand.index = index.variable;
+  return operand;
+}
+
 std::optional<Place> Lowerer::LowerElement(const Expression& expression) {
-  std::optional<ArrayPlace> array = LowerArray(expression);
+  const std::optional<ArrayPlace> array = LowerArray(expression);
   if (!array) return std::nullopt;
   if (!array->dimensions.empty()) {
     Report(Code::kArrayWithoutIndex, expression.range, Source(expression.range));
     return std::nullopt;
   }
-  const Variable& variable = program_.variables[static_cast<size_t>(array->variable)];
-  Place place;
-  place.type = array->element;
-  place.operand.kind = Operand::Kind::kElement;
-  place.operand.type = variable.type;
-  place.operand.variable = array->variable;
-  if (array->offset.IsConstant()) {
-    place.operand.value = array->offset.value;
-    place.operand.name = array->offset.name;
-    if (array->offset.value >= variable.size) {
-      Report(Code::kIndexOutOfBounds, expression.range, array->offset.value, array->name,
-             int64_t{variable.size} - 1);
-      return std::nullopt;
-    }
-  } else {
-    Operand index = array->offset;
-    if (!index.IsVariable()) {
-      const Operand loaded = NewTemporary(vm::DataType::kInt, expression.range);
-      EmitCopy(loaded, index, expression.range);
-      index = loaded;
-    }
-    place.operand.index = index.variable;
-  }
-  return place;
+  const std::optional<Operand> operand = ElementOf(*array, expression.range);
+  if (!operand) return std::nullopt;
+  return Place{*operand, array->element};
 }
 
 std::optional<Place> Lowerer::LowerMember(const Expression& expression) {
@@ -180,6 +275,9 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
   switch (inner.kind) {
     case Expression::Kind::kIndex:
       return LowerElement(inner);
+    case Expression::Kind::kUnary:
+      if (inner.op == "*") return LowerElement(inner);
+      break;
     case Expression::Kind::kMember:
       return LowerMember(inner);
     case Expression::Kind::kName: {

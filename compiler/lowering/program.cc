@@ -149,7 +149,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
     const Type type = ResolveGlobalType(parameter.specifiers);
     const Declarator& declarator = parameter.declarator;
     if (type.basic == BasicType::kVoid) continue;
-    if (!declarator.sizes.empty() || type.rows != nullptr || type.structure != nullptr) {
+    if (IsReference(declarator, type) || type.structure != nullptr) {
       Report(Code::kThreadParameter, parameter.range, declarator.name, syntax.name);
       Symbol unusable;
       unusable.range = declarator.name_range;

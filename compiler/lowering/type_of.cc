@@ -78,10 +78,16 @@ std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
     return product(size_of(type), dimensions, 0);
   }
   const Expression& operand = WithoutParens(*expression.operands[0]);
-  size_t indices = 0;
+  int indices = 0;
   const Symbol* symbol = ArrayOf(operand, &indices);
   if (symbol != nullptr && symbol->kind == Symbol::Kind::kVariable) {
-    return product(size_of(symbol->type), symbol->dimensions, indices);
+    const bool pointer = indices < 0 || (indices == 0 && symbol->is_reference) ||
+                         (operand.kind == Expression::Kind::kBinary && IsArray(operand));
+    if (pointer) return SizeOf(BasicType::kUnsigned);
+    if (indices <= static_cast<int>(symbol->dimensions.size()) &&
+        operand.kind != Expression::Kind::kBinary) {
+      return product(size_of(symbol->type), symbol->dimensions, static_cast<size_t>(indices));
+    }
   }
   const BasicType type = TypeOf(operand);
   return IsArithmetic(type) ? std::optional<int64_t>(SizeOf(type)) : std::nullopt;
@@ -100,8 +106,12 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
       if (symbol == nullptr) return BasicType::kInt;
       return symbol->kind == Symbol::Kind::kConstant ? symbol->constant.type : symbol->type.basic;
     }
+    case Kind::kIndex: {
+      int indices = 0;
+      const Symbol* symbol = ArrayOf(expression, &indices);
+      return symbol != nullptr ? symbol->type.basic : operand(0);
+    }
     case Kind::kParen:
-    case Kind::kIndex:
     case Kind::kPostfix:
     case Kind::kAssign:
     case Kind::kCompound:
@@ -119,6 +129,11 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
     }
     case Kind::kUnary:
       if (expression.op == "!") return BasicType::kInt;
+      if (expression.op == "*") {
+        int indices = 0;
+        const Symbol* symbol = ArrayOf(expression, &indices);
+        return symbol != nullptr ? symbol->type.basic : operand(0);
+      }
       if (expression.op == "++" || expression.op == "--") return operand(0);
       return Promoted(operand(0));
     case Kind::kBinary: {

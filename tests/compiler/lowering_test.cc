@@ -339,21 +339,5 @@ TEST(Lowering, MessagesAboutTheLoweredTextHavePlacesOfC) {
               "GT_SetVel takes 2 arguments");
 }
 
-// An array that begins at an element.
-TEST(Lowering, OffersTheAddressOfAnElementForASum) {
-  for (const char* sum : {"data + v", "v + data"}) {
-    const Lowering lowering =
-        Lower("int data[4], v;\nint first(int list[]) { return list[0]; }\nvoid t0() { v = first(" +
-              std::string(sum) + "); }\n");
-    ASSERT_EQ(lowering.diagnostics.size(), 1u) << sum;
-    const Diagnostic& diagnostic = lowering.diagnostics[0];
-    EXPECT_EQ(diagnostic.message.en, "'" + std::string(sum) +
-                                         "' is a pointer and cannot stand here; expected the "
-                                         "address of an element: &data[v]");
-    ASSERT_EQ(diagnostic.fixits.size(), 1u);
-    EXPECT_EQ(diagnostic.fixits[0].text, "&data[v]");
-  }
-}
-
 }  // namespace
 }  // namespace oncard::compiler

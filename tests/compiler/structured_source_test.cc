@@ -157,11 +157,11 @@ TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
 
 TEST(StructuredMessages, SayWhatToWriteInsteadOfAPointer) {
   Reporter reporter;
-  const StructuredSource source("test.c", "void f(int *list) {}\nint *place;\n", {}, NoFiles(),
+  const StructuredSource source("test.c", "void f(int **list) {}\nint *place;\n", {}, NoFiles(),
                                 reporter);
   ASSERT_EQ(reporter.diagnostics().size(), 2u);
   ASSERT_EQ(reporter.diagnostics()[0].notes.size(), 1u);
-  EXPECT_THAT(reporter.diagnostics()[0].notes[0].message.en, testing::HasSubstr("'list[]'"));
+  EXPECT_THAT(reporter.diagnostics()[0].notes[0].message.en, testing::HasSubstr("'int *list'"));
   ASSERT_EQ(reporter.diagnostics()[1].notes.size(), 1u);
   EXPECT_THAT(reporter.diagnostics()[1].notes[0].message.en, testing::HasSubstr("an index"));
 }

@@ -23,23 +23,24 @@ class Generator : RandomChoices {
     for (int i = 0; i < 6; ++i) program_.globals.push_back(fmt::format("m[{}]", i));
     const int functions = Between(2, 3);
     for (int i = 0; i < functions; ++i) text += Function();
-    text += "int f() {\n  int x = 1, y = 2, z = 3, n;\n";
+    text += "int f() {\n  int x = 1, y = 2, z = 3, n = 0, w = 4;\n";
     values_ = {"x", "y", "z", "g0", "g1", "g2"};
     for (int i = Between(4, 6); i > 0; --i) text += Statement(2, "  ");
-    text += fmt::format("  g3 += {};\n  return x ^ y ^ z;\n}}\n", Value(2));
+    text += fmt::format("  g3 += {};\n  return x ^ y ^ z ^ w;\n}}\n", Value(2));
     return std::move(program_);
   }
 
  private:
-  // One that may call those before it: c0, c1, ...; its last parameter is an array of 6.
+  // One that may call those before it: c0, c1, ...; its parameter v is an array of 4 at least, and
+  // r a number of the caller that nothing else names in a call.
   std::string Function() {
     const int number = count_;
-    values_ = {"x", "y", "t", "v[x & 3]", "g0", "g1"};
+    values_ = {"x", "y", "t", "v[x & 3]", "g0", "g1", "*r", "*v", "*(v + (y & 3))"};
     in_function_ = true;
     std::string text =
-        fmt::format("static {} c{}({} x, int y, int v[]) {{\n  int z = x + y, n, t = {};\n",
+        fmt::format("static {} c{}({} x, int y, int {}, int *r) {{\n  int z = x + y, n, t = {};\n",
                     Pick({"int", "int", "unsigned char", "short"}), number, Pick({"int", "char"}),
-                    Between(0, 9));
+                    Pick({"v[]", "*v", "v[4]"}), Between(0, 9));
     if (Between(0, 2) == 0) text += "  static int calls;\n  z += ++calls;\n";
     for (int i = Between(1, 2); i > 0; --i) text += Statement(1, "  ");
     if (Between(0, 1) == 0) text += fmt::format("  if ({}) return {};\n", Value(1), Value(1));
@@ -74,13 +75,17 @@ class Generator : RandomChoices {
   // A call, whose first argument may be one.
   std::string Call(int depth) {
     const std::string first = depth > 0 && Between(0, 3) == 0 ? Call(depth - 1) : Value(1);
-    const std::string array = in_function_ ? Pick({"v", "v", "a"}) : Pick({"a", "a", "a", "m"});
+    const std::string array = in_function_
+                                  ? Pick({"v", "v", "a"})
+                                  : Pick({"a", "a", "a", "m", "a + 1", "&m[2]", "&a[n & 1]"});
     // The other argument must not read what the call in the first one changes.
-    return fmt::format("c{}({}, {}, {})", Between(0, count_ - 1), first, Between(0, 9), array);
+    return fmt::format("c{}({}, {}, {}, {})", Between(0, count_ - 1), first, Between(0, 9), array,
+                       in_function_ ? Pick({"r", "&*r", "&r[0]"}) : Pick({"&w", "&w", "&g3"}));
   }
 
   std::string Statement(int depth, const std::string& indent) {
-    const std::string target = Pick({"x", "y", "z", "g0", "g1", "g2"});
+    const std::string target = in_function_ ? Pick({"x", "y", "z", "g0", "g1", "g2", "*r", "*v"})
+                                            : Pick({"x", "y", "z", "g0", "g1", "g2"});
     const bool calls = count_ > 0 && Between(0, 3) > (in_function_ ? 2 : 0);
     if (depth <= 0 || Between(0, 2) > 0) {
       if (!calls) {

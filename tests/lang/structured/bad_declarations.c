@@ -1,7 +1,7 @@
 //@ structured
 int v;
 void f(void *p) {} // expect error MP129
-void g(int *, int k) {} // expect error MP129 // expect error MP128
+void g(int *, int k) {} // expect error MP128
 int up(int a), down(int a);
 int left(void), *right(int a), both(); // expect error MP129
 int up(int a) { return a; }

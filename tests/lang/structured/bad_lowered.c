@@ -16,7 +16,6 @@ void t0(int n) {
   v = nothing();  // expect error MP232
   v = missing(1);  // expect error MP246
   v = first(rows);  // expect error MP244
-  v = first(line + 1);  // expect error MP031
   v = unknown;  // expect error MP027
   goto nowhere;  // expect error MP020
   break;  // expect error MP234

@@ -21,7 +21,7 @@ void t0() {
 }
 int e[3] = {1, 2 3}; // expect error MP131
 int f0[2] = {(1 2), 3}; // expect error MP039
-int *const f; // expect error MP203
+int *const f; // expect error MP129
 int g = sizeof int; // expect error MP038
 int h = sizeof(int;  // expect error MP039
 untyped() { // expect error MP005
