@@ -101,9 +101,17 @@ bool Lowerer::AssignStructure(const Expression& target, const Expression& value)
   return true;
 }
 
+// A place in an array is no number: it may be moved, and used where a place may stand.
+Value Lowerer::LowerMoved(const Expression& expression, bool value_used) {
+  const std::optional<ArrayPlace> moved = LowerMove(expression, value_used);
+  if (moved && value_used) Report(Code::kArrayWithoutIndex, expression.range, moved->name);
+  return {};
+}
+
 Value Lowerer::LowerAssignment(const Expression& expression, bool value_used) {
   const Expression& target = *expression.operands[0];
   const Expression& value = *expression.operands[1];
+  if (IsArray(target)) return LowerMoved(expression, value_used);
   if (TypeOf(target) == BasicType::kStructure) {
     AssignStructure(target, value);
     return {Operand(), BasicType::kStructure, BasicType::kStructure};
@@ -133,6 +141,7 @@ Value Lowerer::Update(Place place, const vm::OperatorInfo& info, const Value& ch
 }
 
 Value Lowerer::LowerCompound(const Expression& expression, bool value_used) {
+  if (IsArray(*expression.operands[0])) return LowerMoved(expression, value_used);
   const Expression& target = *expression.operands[0];
   std::optional<Place> place = LowerPlace(target);
   if (!place || !CheckWritable(*place, target)) return {};
@@ -147,6 +156,7 @@ Value Lowerer::LowerCompound(const Expression& expression, bool value_used) {
 }
 
 Value Lowerer::LowerStep(const Expression& expression, bool value_used) {
+  if (IsArray(*expression.operands[0])) return LowerMoved(expression, value_used);
   const Expression& target = *expression.operands[0];
   std::optional<Place> place = LowerPlace(target);
   if (!place || !CheckWritable(*place, target)) return {};

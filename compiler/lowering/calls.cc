@@ -52,6 +52,26 @@ Value Lowerer::LowerCall(const Expression& expression) {
   return LowerOwnCall(expression, *symbol->function);
 }
 
+// Whether a function moves its parameter: `p++`, `p += 2`, `p = q`.
+bool Lowerer::IsMoved(std::string_view name, const Function& function) {
+  using Kind = Expression::Kind;
+  bool moved = false;
+  const auto in_expression = [&](const Expression& expression) {
+    const bool changes = expression.kind == Kind::kPostfix || expression.kind == Kind::kAssign ||
+                         expression.kind == Kind::kCompound || expression.kind == Kind::kUnary;
+    if (!changes || (expression.kind == Kind::kUnary && expression.op.size() != 2)) return;
+    const Expression& target = WithoutParens(*expression.operands[0]);
+    moved |= target.kind == Kind::kName && target.text == name;
+  };
+  for (const StatementPtr& item : function.body) {
+    ForEachStatement(*item, [&](const Statement& statement) {
+      ForEachWholeExpression(
+          statement, [&](const Expression& whole) { ForEachExpression(whole, in_expression); });
+    });
+  }
+  return moved;
+}
+
 // A parameter that stands for what its argument names in the caller.
 std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration& parameter,
                                                       const Expression& argument,
@@ -84,6 +104,13 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
   symbol.dimensions = std::move(*dimensions);
   symbol.variable = array->variable;
   symbol.offset = Stable(array->offset, argument.range);
+  symbol.moves = IsMoved(declarator.name, *info.syntax);
+  if (symbol.moves && program_.variables[static_cast<size_t>(symbol.variable)].size == 0) {
+    Report(Code::kNotLowered, argument.range,
+           MakeMessage("moving '{0}' away from a number", "把 '{0}' 从一个数移开", declarator.name),
+           MakeMessage("pass an array", "请传递数组"));
+    return std::nullopt;
+  }
   return symbol;
 }
 
@@ -144,6 +171,16 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       std::optional<Symbol> reference = BindReference(*parameters[i], argument, info);
       if (!reference) return false;
       symbol = std::move(*reference);
+      if (symbol.moves) {
+        // Where it is now.
+        Value offset;
+        offset.operand = symbol.offset;
+        symbol.offset = VariableOperand(VariableOf(
+            parameters[i], Variable::Role::kLocal,
+            fmt::format("{}_{}", syntax.name, declarator.name), Type{}, 0, declarator.name_range));
+        symbol.dimensions.front() = 0;
+        copies.push_back({{symbol.offset, Type{}}, offset, argument.range});
+      }
     } else {
       if (type.structure != nullptr) {
         Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));

@@ -74,6 +74,11 @@ void Lowerer::BranchIf(const Expression& condition, bool when, int label) {
     const vm::OperatorInfo* info = vm::FindBinaryOperator(inner.op);
     const vm::OperatorInfo* opposite =
         info != nullptr && vm::IsComparison(*info) ? OppositeOf(*info) : nullptr;
+    if (opposite != nullptr && IsArray(*inner.operands[1]) && IsArray(*inner.operands[0])) {
+      const Value result = LowerPlaces(inner, *opposite);
+      if (!IsVoid(result)) BranchOnValue(result, true, label, range);
+      return;
+    }
     if (opposite != nullptr) {
       const Value a = LowerValue(*inner.operands[0]);
       const Value b = LowerValue(*inner.operands[1]);

@@ -143,6 +143,9 @@ Value Lowerer::LowerBinary(const Expression& expression) {
   const vm::OperatorInfo* info = vm::FindBinaryOperator(expression.op);
   if (info == nullptr) return {};
   if (vm::IsLogical(*info)) return LowerLogical(expression);
+  if (IsArray(*expression.operands[1]) && IsArray(*expression.operands[0])) {
+    return LowerPlaces(expression, *info);
+  }
   const Value a = LowerValue(*expression.operands[0]);
   const Value b = LowerValue(*expression.operands[1]);
   const bool good = RequireNumber(a, *expression.operands[0]);

@@ -134,6 +134,7 @@ class Lowerer {
     bool invalid = false;
     bool is_extern = false;     // a global that is declared and not defined so far
     bool initialised = false;   // a global
+    bool moves = false;         // the function moves it: its offset is a variable
     bool is_reference = false;  // a parameter that stands for a number or an array of the caller
     int variable = -1;
     std::vector<int64_t> dimensions;
@@ -332,6 +333,8 @@ class Lowerer {
   std::optional<ArrayPlace> LowerNamedArray(const Expression& name);
   std::optional<ArrayPlace> LowerAddressed(const Expression& target);
   std::optional<ArrayPlace> LowerArraySum(const Expression& sum);
+  std::optional<ArrayPlace> LowerMove(const Expression& expression, bool value_used);
+  Value LowerPlaces(const Expression& expression, const vm::OperatorInfo& info);
   void Advance(ArrayPlace& array, const Operand& count, bool back, SourceRange range);
   std::optional<Operand> ElementOf(const ArrayPlace& array, SourceRange range);
   std::optional<Place> LowerElement(const Expression& expression);
@@ -341,6 +344,7 @@ class Lowerer {
 
   // --- assignments.cc ---
   virtual Value LowerAssignment(const Expression& expression, bool value_used);
+  Value LowerMoved(const Expression& expression, bool value_used);
   Value LowerCompound(const Expression& expression, bool value_used);
   Value LowerStep(const Expression& expression, bool value_used);
   void AssignInto(const Place& place, const Expression& value);
@@ -356,6 +360,7 @@ class Lowerer {
   void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
   std::optional<Symbol> BindReference(const ParameterDeclaration& parameter,
                                       const Expression& argument, const FunctionInfo& info);
+  static bool IsMoved(std::string_view name, const Function& function);
   void KeepOffsets(Scope& scope, SourceRange range);
   bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
   Value LowerMagnitude(const Expression& call, bool real);

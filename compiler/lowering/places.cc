@@ -6,6 +6,18 @@
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
+namespace {
+
+// What `p++`, `--p`, `p += n` and `p = q` change, nullptr for other expressions.
+const Expression* MovesOf(const Expression& expression) {
+  using Kind = Expression::Kind;
+  const bool moves = expression.kind == Kind::kPostfix || expression.kind == Kind::kAssign ||
+                     expression.kind == Kind::kCompound ||
+                     (expression.kind == Kind::kUnary && expression.op.size() == 2);
+  return moves ? &WithoutParens(*expression.operands[0]) : nullptr;
+}
+
+}  // namespace
 
 void Lowerer::ReportUndeclared(const Expression& name) {
   Diagnostic* diagnostic = Report(Code::kUndeclared, name.range, name.text);
@@ -41,6 +53,7 @@ const Lowerer::Symbol* Lowerer::ArrayOf(const Expression& expression, int* indic
   *indices = 0;
   const Expression* inner = &WithoutParens(expression);
   for (;; inner = &WithoutParens(*inner->operands[0])) {
+    if (MovesOf(*inner) != nullptr) continue;
     if (inner->kind == Kind::kIndex || (inner->kind == Kind::kUnary && inner->op == "*")) {
       ++*indices;
     } else if (inner->kind == Kind::kUnary && inner->op == "&") {
@@ -135,6 +148,82 @@ std::optional<ArrayPlace> Lowerer::LowerArraySum(const Expression& sum) {
   return array;
 }
 
+// `p++`, `--p`, `p += n`, `p = q`: moves a parameter within the array that the caller names.
+std::optional<ArrayPlace> Lowerer::LowerMove(const Expression& expression, bool value_used) {
+  const SourceRange range = expression.range;
+  const Expression& name = *MovesOf(expression);
+  const Symbol* symbol = name.kind == Expression::Kind::kName ? Lookup(name.text) : nullptr;
+  if (symbol == nullptr || !symbol->moves) {
+    Report(Code::kMisuse, name.range, Source(name.range), MakeMessage("an array", "数组"),
+           MakeMessage("a parameter, which alone can be moved, or an index",
+                       "参数（只有参数可以移动）或下标"));
+    return std::nullopt;
+  }
+  std::optional<ArrayPlace> array = LowerNamedArray(name);
+  const Operand where = array->offset;
+  std::optional<Operand> before;
+  if (expression.kind == Expression::Kind::kAssign) {
+    const std::optional<ArrayPlace> other = LowerArray(*expression.operands[1]);
+    if (!other) return std::nullopt;
+    if (other->variable != array->variable ||
+        other->dimensions.size() != array->dimensions.size()) {
+      Report(Code::kNotLowered, range,
+             MakeMessage("a parameter that changes to another array", "改为代表另一个数组的参数"),
+             MakeMessage("pass the array in a call", "请在调用中传递该数组"));
+      return std::nullopt;
+    }
+    array->offset = other->offset;
+  } else {
+    const bool step = expression.kind != Expression::Kind::kCompound;
+    const char sign = expression.op[0];
+    if (sign != '+' && sign != '-') {
+      Report(Code::kArrayWithoutIndex, name.range, name.text);
+      return std::nullopt;
+    }
+    if (value_used && expression.kind == Expression::Kind::kPostfix) {
+      before = NewTemporary(vm::DataType::kInt, range);
+      EmitCopy(*before, where, range);
+    }
+    const std::optional<Operand> count =
+        step ? std::optional(IntOperand(1)) : LowerIndex(*expression.operands[1]);
+    if (!count) return std::nullopt;
+    Advance(*array, *count, sign == '-', range);
+  }
+  Value offset;
+  offset.operand = array->offset;
+  Store({where, Type{}}, offset, range, false);
+  array->offset = before.value_or(where);
+  return array;
+}
+
+// `p - q` and `p < q`, of places in one array.
+Value Lowerer::LowerPlaces(const Expression& expression, const vm::OperatorInfo& info) {
+  const std::optional<ArrayPlace> a = LowerArray(*expression.operands[0]);
+  const std::optional<ArrayPlace> b = LowerArray(*expression.operands[1]);
+  if (!a || !b) return {};
+  const bool difference = expression.op == "-";
+  if (a->variable != b->variable || a->dimensions.size() != b->dimensions.size() ||
+      !(difference || vm::IsComparison(info))) {
+    Report(
+        Code::kNotLowered, expression.range,
+        MakeMessage("'{0}' of places in different arrays", "不同数组中位置的 '{0}'", expression.op),
+        MakeMessage("pass and compare indices", "请传递并比较下标"));
+    return {};
+  }
+  const auto op = static_cast<vm::BinaryOperator>(info.number);
+  Operand left = a->offset;
+  if (left.IsConstant()) {
+    left = NewTemporary(vm::DataType::kInt, expression.range);
+    EmitCopy(left, a->offset, expression.range);
+  }
+  const Value result = Compute(op, left, b->offset, BasicType::kInt, expression.range);
+  int64_t row = 1;
+  for (size_t i = 1; i < a->dimensions.size(); ++i) row *= a->dimensions[i];
+  if (!difference || row == 1) return result;
+  return Compute(vm::BinaryOperator::kDivide, result.operand, IntOperand(row), BasicType::kInt,
+                 expression.range);
+}
+
 // Moves the beginning of an array by rows of its first dimension.
 void Lowerer::Advance(ArrayPlace& array, const Operand& count, bool back, SourceRange range) {
   int64_t row = 1;
@@ -164,6 +253,11 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   if (inner.kind == Kind::kName) return LowerNamedArray(inner);
   if (inner.kind == Kind::kUnary && inner.op == "&") return LowerAddressed(*inner.operands[0]);
   if (inner.kind == Kind::kBinary && IsArray(inner)) return LowerArraySum(inner);
+  if (MovesOf(inner) != nullptr && IsArray(inner)) return LowerMove(inner, true);
+  if (inner.kind == Kind::kComma) {
+    LowerEffect(*inner.operands[0]);
+    return LowerArray(*inner.operands[1]);
+  }
   const bool star = inner.kind == Kind::kUnary && inner.op == "*";
   if (inner.kind != Kind::kIndex && !star) {
     Report(Code::kMisuse, inner.range, Source(inner.range), MakeMessage("not an array", "不是数组"),

@@ -141,6 +141,7 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
       if (info == nullptr || vm::IsLogical(*info) || vm::IsComparison(*info)) {
         return BasicType::kInt;
       }
+      if (IsArray(*expression.operands[1])) return BasicType::kInt;
       if (info->precedence == vm::Precedence::kShift) return Promoted(operand(0));
       return Common(operand(0), operand(1));
     }

@@ -21,6 +21,9 @@ class Generator : RandomChoices {
     program_.globals = {"g0", "g1", "g2", "g3"};
     for (int i = 0; i < 6; ++i) program_.globals.push_back(fmt::format("a[{}]", i));
     for (int i = 0; i < 6; ++i) program_.globals.push_back(fmt::format("m[{}]", i));
+    text +=
+        "static int walk(int *p, const int *end) {\n  int s = 0;\n"
+        "  while (p < end) {\n    s = s * 3 + *p;\n    *p++ ^= s;\n  }\n  return s;\n}\n";
     const int functions = Between(2, 3);
     for (int i = 0; i < functions; ++i) text += Function();
     text += "int f() {\n  int x = 1, y = 2, z = 3, n = 0, w = 4;\n";
@@ -91,7 +94,11 @@ class Generator : RandomChoices {
       if (!calls) {
         return fmt::format("{}{} {} {};\n", indent, target, Pick({"=", "+=", "^="}), Value(2));
       }
-      switch (Between(0, 4)) {
+      switch (Between(0, 5)) {
+        case 5: {
+          const std::string array = in_function_ ? Pick({"v", "a"}) : Pick({"a", "&m[1]"});
+          return fmt::format("{0}z = walk({1}, {1} + {2});\n", indent, array, Between(0, 4));
+        }
         case 4:  // with a value that waits for the call
           return fmt::format("{}z = ({} * {} {} {}) - {};\n", indent, Pick({"x", "y", "z"}),
                              Pick({"x", "y", "z"}), Pick({"+", "^"}), Between(1, 9), Call(0));

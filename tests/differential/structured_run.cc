@@ -13,8 +13,9 @@ std::string StructuredOracleText(const std::vector<StructuredProgram>& programs)
   std::string calls;
   for (const StructuredProgram& program : programs) {
     text += "#undef C0\n#undef C1\n";
-    for (const char* name : {"f", "fuel", "b0", "g0", "g1", "g2", "g3", "a", "m", "h", "k", "s",
-                             "e", "w", "mean", "eighths", "c0", "c1", "c2"}) {
+    for (const char* name :
+         {"f", "fuel", "b0", "g0", "g1",   "g2",      "g3",   "a",  "m",  "h",
+          "k", "s",    "e",  "w",  "mean", "eighths", "walk", "c0", "c1", "c2"}) {
       text += fmt::format("#undef {0}\n#define {0} {0}_{1}\n", name, program.seed);
     }
     text += fmt::format("{}void run_{}() {{\n  printf(\"%d\", f());\n", program.text, program.seed);
