@@ -56,6 +56,11 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                    invocation.Say({"count every state between two statements: more states",
                                    "统计任意两条语句之间的每个状态：状态更多"}));
   command.add_flag(
+      "--no-symmetry", arguments.no_symmetry,
+      invocation.Say({"tell states apart that differ only in which of several equal threads "
+                      "is where",
+                      "相同的线程仅互换位置时，也算不同的状态"}));
+  command.add_flag(
       "--no-islands", arguments.no_islands,
       invocation.Say({"with a card: search the states of all threads together, even if "
                       "some share nothing with the others",

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "explore/models/equal_threads.h"
 #include "explore/models/key_set.h"
 #include "explore/models/thread_states.h"
 
@@ -184,8 +185,18 @@ class StatementWalk {
  public:
   /// Begins at the model's current state, in which private statements were merged if `merge` is
   /// set.
-  StatementWalk(Model* model, bool merge) : model_(*model), merge_(merge) {}
+  StatementWalk(Model* model, bool merge, const EqualThreads& equal)
+      : model_(*model), merge_(merge), equal_(equal) {
+    if (equal_.empty()) return;
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      keys_.push_back(KeysOf(thread));
+      difference_ = difference_ ^ keys_.back().own;
+      sum_ = sum_ + keys_.back().exchangeable;
+    }
+  }
 
+  /// Of the current state; the same for all that differ in an exchange of equal threads.
+  StateKey key() const { return model_.key() ^ difference_ ^ sum_; }
   const Model& State() const { return model_; }
   uint32_t runnable() const { return model_.runnable(); }
   bool failed() const {
@@ -196,17 +207,60 @@ class StatementWalk {
   }
   bool LookAhead(int thread, Ahead* ahead) {
     const int64_t statements = Execute(thread);
-    ahead->key = model_.key();
+    if (equal_.GroupOf(thread) == EqualThreads::kNone) {
+      ahead->key = key();
+    } else {
+      const Keys before = keys_[static_cast<size_t>(thread)];
+      const Keys after = KeysOf(thread);
+      ahead->key = model_.key() ^ difference_ ^ before.own ^ after.own ^
+                   (sum_ - before.exchangeable + after.exchangeable);
+    }
     Undo(statements);
     return true;
   }
-  void Take(int thread, const Ahead& /*ahead*/) { taken_.push_back(Execute(thread)); }
+  void Take(int thread, const Ahead& /*ahead*/) {
+    Taken taken = {thread, Execute(thread), {}};
+    if (!equal_.empty()) {
+      taken.before = keys_[static_cast<size_t>(thread)];
+      Replace(thread, KeysOf(thread));
+    }
+    taken_.push_back(taken);
+  }
   void Undo() {
-    Undo(taken_.back());
+    const Taken& taken = taken_.back();
+    if (!equal_.empty()) Replace(taken.thread, taken.before);
+    Undo(taken.statements);
     taken_.pop_back();
   }
 
  private:
+  /// The part of the key that belongs to a thread with equals, and what stands for it; 0 for
+  /// others.
+  struct Keys {
+    StateKey own;
+    StateKey exchangeable;
+  };
+  struct Taken {
+    int thread = 0;
+    int64_t statements = 0;
+    Keys before;
+  };
+
+  Keys KeysOf(int thread) const {
+    Keys keys;
+    const int group = equal_.GroupOf(thread);
+    if (group == EqualThreads::kNone) return keys;
+    uint32_t cell = model_.FirstThreadCell(thread);
+    for (const int64_t value : model_.ThreadCells(thread)) AddToKey(cell++, value, &keys.own);
+    keys.exchangeable = ExchangeableKey(model_.ThreadCells(thread), group);
+    return keys;
+  }
+  void Replace(int thread, const Keys& keys) {
+    Keys& now = keys_[static_cast<size_t>(thread)];
+    difference_ = difference_ ^ now.own ^ keys.own;
+    sum_ = sum_ - now.exchangeable + keys.exchangeable;
+    now = keys;
+  }
   /// Returns the number of statements.
   int64_t Execute(int thread) {
     model_.Step(thread);
@@ -218,7 +272,11 @@ class StatementWalk {
 
   Model& model_;
   bool merge_;
-  std::vector<int64_t> taken_;  ///< for each step, the number of its statements
+  const EqualThreads& equal_;
+  std::vector<Keys> keys_;  ///< of each thread; empty if there are no equal ones
+  StateKey difference_;
+  StateKey sum_;
+  std::vector<Taken> taken_;
 };
 
 /// The same by remembered steps (thread_states.h), which is several times as fast, with the same
@@ -226,8 +284,9 @@ class StatementWalk {
 class StepWalk {
  public:
   /// From the same state as a StatementWalk of the model; its accesses must be local.
-  StepWalk(const Model& model, bool merge)
+  StepWalk(const Model& model, bool merge, const EqualThreads& equal)
       : known_(model, merge ? kMergedMax : ThreadStates::kSingleStatements),
+        equal_(equal),
         globals_(known_.globals()),
         cell_keys_(globals_.size()),
         end_(known_.model()) {
@@ -239,7 +298,7 @@ class StepWalk {
     cell_keys_.emplace_back();
   }
 
-  /// False if the walk is not possible.
+  /// `key`: of the model. False if the walk is not possible.
   bool Begin(StateKey key) {
     key_ = key;
     for (int thread = 0; thread < end_.thread_count(); ++thread) {
@@ -247,6 +306,10 @@ class StepWalk {
       if (!begun) return false;
       now_.push_back(begun->next);
       if (known_.Runs(begun->next)) runnable_ |= 1u << thread;
+      const int group = equal_.GroupOf(thread);
+      if (group == EqualThreads::kNone) continue;
+      key_ = key_ ^ known_.KeyOf(begun->next);
+      sum_ = sum_ + ExchangeableKey(known_.CellsOf(begun->next), group);
     }
     return true;
   }
@@ -267,6 +330,7 @@ class StepWalk {
     if (number >= moves_.size()) AddMoves();
     const Move& move = moves_[number];
     *ahead = {key_ ^ thread_keys_[now] ^ cell_keys_[move.cell] ^ move.key, number};
+    if (!equal_.empty()) ahead->key = ahead->key ^ (sum_ - thread_sums_[now] + move.sum);
     return true;
   }
   void Take(int thread, const Ahead& ahead) {
@@ -274,8 +338,9 @@ class StepWalk {
     uint32_t& now = now_[Index(thread)];
     int64_t& value = globals_[move.cell];
     StateKey& cell_key = cell_keys_[move.cell];
-    path_.push_back({key_, cell_key, value, move.cell, now, runnable_, thread, move.failed});
-    key_ = ahead.key;
+    path_.push_back({key_, sum_, cell_key, value, move.cell, now, runnable_, thread, move.failed});
+    key_ = key_ ^ thread_keys_[now] ^ cell_key ^ move.key;
+    if (!equal_.empty()) sum_ = sum_ - thread_sums_[now] + move.sum;
     cell_key = move.cell_key;
     value = move.value;
     now = move.next;
@@ -285,6 +350,7 @@ class StepWalk {
   void Undo() {
     const Taken& taken = path_.back();
     key_ = taken.key;
+    sum_ = taken.sum;
     cell_keys_[taken.cell] = taken.cell_key;
     globals_[taken.cell] = taken.value;
     now_[Index(taken.thread)] = taken.now;
@@ -303,6 +369,7 @@ class StepWalk {
   /// What a known step does.
   struct Move {
     StateKey key;  ///< of what it writes and of the thread's next state
+    StateKey sum;  ///< of the thread's next state, if the thread has equals
     StateKey cell_key;
     int64_t value = 0;
     uint32_t cell = 0;
@@ -312,6 +379,7 @@ class StepWalk {
   /// What a step has changed.
   struct Taken {
     StateKey key;
+    StateKey sum;
     StateKey cell_key;
     int64_t value;
     uint32_t cell;
@@ -327,9 +395,10 @@ class StepWalk {
     while (moves_.size() < known_.step_count()) {
       const ThreadStates::Step& step = known_.step(static_cast<uint32_t>(moves_.size()));
       while (thread_keys_.size() < known_.state_count()) {
-        thread_keys_.push_back(known_.KeyOf(static_cast<uint32_t>(thread_keys_.size())));
+        AddThreadKey(static_cast<uint32_t>(thread_keys_.size()));
       }
       Move move = {.key = {},
+                   .sum = thread_sums_[step.next],
                    .cell_key = {},
                    .value = step.value,
                    .cell = static_cast<uint32_t>(globals_.size() - 1),
@@ -344,8 +413,18 @@ class StepWalk {
     }
   }
 
+  /// A thread with equals has its part of the key among the sums.
+  void AddThreadKey(uint32_t state) {
+    const int group = equal_.GroupOf(known_.ThreadOf(state));
+    const bool has_equals = group != EqualThreads::kNone;
+    thread_keys_.push_back(has_equals ? StateKey{} : known_.KeyOf(state));
+    thread_sums_.push_back(has_equals ? ExchangeableKey(known_.CellsOf(state), group) : StateKey{});
+  }
+
   ThreadStates known_;
+  const EqualThreads& equal_;
   StateKey key_;
+  StateKey sum_;
   std::vector<int64_t> globals_;
   std::vector<StateKey> cell_keys_;
   std::vector<uint32_t> now_;  ///< the state of each thread
@@ -353,6 +432,7 @@ class StepWalk {
   int failures_ = 0;  ///< number of threads that ended with an error
   std::vector<Move> moves_;
   std::vector<StateKey> thread_keys_;  ///< of the known states of threads
+  std::vector<StateKey> thread_sums_;
   std::vector<Taken> path_;
   Model end_;
 };
@@ -366,6 +446,9 @@ class GraphBuilder {
       : model_(*model), limits_(limits), judge_(judge), judged_(judged) {
     graph_.threads = model->thread_count();
     graph_.may_cycle = model->HasLoops();
+    if (limits.merge_private && limits.symmetry) equal_ = EqualThreads(*model);
+    graph_.symmetric = !equal_.empty();
+    looks_for_cycle_ = graph_.symmetric && graph_.may_cycle && limits.ends_at_cycle;
   }
 
   StateGraph Build() {
@@ -373,15 +456,15 @@ class GraphBuilder {
     std::optional<StepWalk> steps;
     // A walk by steps has no model in most states.
     if (judged_ == Judged::kEnds && model_.AccessesAreLocal()) {
-      steps.emplace(model_, limits_.merge_private);
+      steps.emplace(model_, limits_.merge_private, equal_);
     }
     for (int thread = 0; thread < graph_.threads; ++thread) Merge(thread);
+    StatementWalk walk(&model_, limits_.merge_private, equal_);
     bool added = false;
-    current_ = known_.FindOrAdd(model_.key(), &added);
+    current_ = known_.FindOrAdd(walk.key(), &added);
     if (steps && steps->Begin(model_.key()) && Explore(&*steps)) {
       // Everything was searched by steps.
     } else {
-      StatementWalk walk(&model_, limits_.merge_private);
       if (steps) {
         for (const int thread : steps->Threads()) walk.Take(thread, {});
       }
@@ -415,6 +498,7 @@ class GraphBuilder {
       }
       Visit& visit = path_.back();
       if (visit.untried == 0) {
+        if (looks_for_cycle_) on_path_[visit.state] = false;
         path_.pop_back();
         if (!path_.empty()) walk->Undo();
         continue;
@@ -431,7 +515,10 @@ class GraphBuilder {
       ++graph_.transitions;
       graph_.successors[size_t{visit.state} * static_cast<size_t>(graph_.threads) +
                         static_cast<size_t>(thread)] = current_;
-      if (!added) continue;
+      if (!added) {
+        if (looks_for_cycle_ && on_path_[current_]) stopped_ = graph_.found_cycle = true;
+        continue;
+      }
       walk->Take(thread, ahead);
       if (!Enter(walk)) return false;
     }
@@ -459,6 +546,7 @@ class GraphBuilder {
     stopped_ = graph_.size() >= limits_.states || enough_good ||
                graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad;
     path_.push_back({current_, runnable});
+    if (looks_for_cycle_) on_path_.push_back(true);
     if (limits_.progress != nullptr) {
       limits_.progress->states.store(graph_.size(), std::memory_order_relaxed);
       limits_.progress->frontier.store(static_cast<int64_t>(path_.size()),
@@ -502,6 +590,9 @@ class GraphBuilder {
   const StateJudge& judge_;
   Judged judged_;
   StateGraph graph_;
+  EqualThreads equal_;
+  bool looks_for_cycle_ = false;
+  std::vector<bool> on_path_;  ///< for each state, while that matters
   KeySet known_;
   uint32_t current_ = 0;  ///< the state that was looked up last
   std::vector<Visit> path_;

@@ -38,6 +38,12 @@ struct StateGraph {
   std::vector<uint8_t> way_to_bad;
   /// False if every step brings its thread nearer to its end.
   bool may_cycle = true;
+  /// A state stands for all that differ only in an exchange of equal threads
+  /// (StateLimits::symmetry): its steps are those of one of them, and only `way_to_bad` is a run of
+  /// the program.
+  bool symmetric = false;
+  /// The search has ended because some run can go round in a circle (StateLimits::ends_at_cycle).
+  bool found_cycle = false;
 
   uint32_t size() const { return static_cast<uint32_t>(flags.size()); }
   uint32_t Next(uint32_t state, int thread) const {
@@ -56,6 +62,11 @@ struct StateLimits {
   /// A step combines a statement with the following ones, and those at the thread's start, that
   /// access nothing shared: there are fewer states, with the same ends and minimum preemptions.
   bool merge_private = false;
+  /// With `merge_private`: states that differ only in an exchange of equal threads count as one
+  /// (models/equal_threads.h).
+  bool symmetry = false;
+  /// A search with equal threads ends as soon as it finds a circle of states.
+  bool ends_at_cycle = false;
   /// Of a card: its states are kept as whole ones and every step is executed, which gives the same
   /// graph (models/card_rows.h).
   bool whole_states = false;

@@ -6,6 +6,7 @@
 
 #include "explore/engines/reachable_ends.h"
 #include "explore/engines/shrink.h"
+#include "explore/models/equal_threads.h"
 #include "explore/models/key_set.h"
 
 namespace oncard::explore {
@@ -199,14 +200,33 @@ Failure FirstWayToBad(const Problem& problem, const StateSearch& search) {
   return failure;
 }
 
-}  // namespace
+/// True if an exchange of equal threads changes nothing that is asked. Threads whose statements are
+/// checked have no equals.
+bool CanExchange(const Problem& problem) {
+  return problem.races == RaceRule::kAny &&
+         std::ranges::all_of(problem.requirements, [](const BoundRequirement& requirement) {
+           switch (requirement.scope) {
+             case Scope::kFinal:
+             case Scope::kAlways:
+             case Scope::kNever:
+               return requirement.property.SeesGlobalsAlone();
+             case Scope::kAssert:
+               return true;
+             default:
+               return false;
+           }
+         });
+}
 
-StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
+/// The search of the graph that the limits ask for.
+StateSearch SearchGraph(const Problem& problem, const StateLimits& limits) {
   StateSearch search;
   search.counts.merged = limits.merge_private;
   Model model = problem.model;
   model.TrackKey(true);
   model.NoteIn(&search.coverage);
+  const EqualThreads equal = limits.symmetry ? EqualThreads(model) : EqualThreads();
+  Model exchanged = model;
   KeySet globals;
   KeySet full;
   RaceSearch races(problem);
@@ -220,8 +240,15 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
     if (state.runnable() == 0) {
       bool added = false;
       final_of.push_back(globals.FindOrAdd(state.GlobalsKey(), &added));
-      end = full.FindOrAdd(state.FinalKey(), &added);
-      if (added && problem.requirements.empty()) search.ends.Add(EndOf(state));
+      const auto add = [&](const Model& ended) {
+        end = full.FindOrAdd(ended.FinalKey(), &added);
+        if (added && problem.requirements.empty()) search.ends.Add(EndOf(ended));
+      };
+      if (equal.empty()) {
+        add(state);
+      } else {
+        ForEachExchange(equal, state, &exchanged, add);
+      }
     }
     races.Examine(state);
     if (problem.races != RaceRule::kAny) end_of.push_back(end);
@@ -237,7 +264,10 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   search.counts.final_globals = globals.size();
   search.counts.final_full = full.size();
   search.counts.complete = search.graph.complete;
-  if (!search.counts.complete) return search;
+  search.counts.symmetric = search.graph.symmetric;
+  equal.Include(problem.model, &search.coverage);
+  // Preemptions are those of single threads.
+  if (!search.counts.complete || search.counts.symmetric) return search;
 
   const std::vector<uint8_t> preemptions =
       PreemptionsTo(search.graph, kPreemptionBounds - 1, hurried);
@@ -252,6 +282,28 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   for (int bound = 0; bound < kPreemptionBounds; ++bound) {
     search.counts.finals_within.push_back(
         std::count_if(fewest.begin(), fewest.end(), [&](int least) { return least <= bound; }));
+  }
+  return search;
+}
+
+}  // namespace
+
+StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
+  StateLimits whole = limits;
+  whole.symmetry = false;
+  const bool has_equals = limits.merge_private && limits.symmetry && CanExchange(problem) &&
+                          !EqualThreads(problem.model).empty();
+  if (!has_equals) return SearchGraph(problem, whole);
+  StateLimits first = limits;
+  first.states_after_bad = 1;
+  first.ends_at_cycle = !problem.may_last;
+  StateSearch exchanged = SearchGraph(problem, first);
+  const bool bad = exchanged.counts.bad_states > 0;
+  if (!bad && !exchanged.graph.found_cycle) return exchanged;
+  StateSearch search = SearchGraph(problem, whole);
+  if (bad && search.counts.bad_states == 0) {
+    search.counts.bad_states = exchanged.counts.bad_states;
+    search.graph.way_to_bad = std::move(exchanged.graph.way_to_bad);
   }
   return search;
 }
@@ -285,7 +337,8 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
   };
   if (search.counts.bad_states > 0) {
     auto way = WayTo(graph, kBad, 0, hurried);
-    if (!way && IsTold(hurried)) way = FirstWayToBad(problem, search);
+    // In a hurry, or where only the search with equal threads has come to it.
+    if (!way) way = FirstWayToBad(problem, search);
     if (auto bad = in_statements(std::move(way))) {
       bad->fault = FindFault(problem, walk_to_end(*bad));
       return bad;

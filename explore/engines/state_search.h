@@ -36,6 +36,9 @@ struct StateCounts {
   /// Different final globals with at most this number of preemptions.
   std::vector<int64_t> finals_within;
   bool complete = false;
+  /// A state stands for all that differ in an exchange of equal threads (StateLimits::symmetry);
+  /// finals_within is not known.
+  bool symmetric = false;
 };
 
 /// Number of elements of StateCounts::finals_within.
@@ -51,6 +54,9 @@ struct StateSearch {
   StatementCoverage coverage;
 };
 
+/// Equal threads (StateLimits::symmetry) only shorten the search of a graph without a failure and,
+/// unless runs may last for ever, without a circle: otherwise all states are searched. There are
+/// none where a requirement can tell threads apart.
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);
 
 /// The path to a state with one of the flags that avoids states with others; the caller fills in

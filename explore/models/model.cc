@@ -224,6 +224,31 @@ void Model::NoteIn(StatementCoverage* coverage) {
   for (Thread& thread : threads_) thread.noted = coverage->BitsOf(Index(thread.setup.function));
 }
 
+bool Model::Alike(int thread, int other) const {
+  const Thread& one = threads_[Index(thread)];
+  const Thread& two = threads_[Index(other)];
+  const auto same = [&](const Operand& a, const Operand& b) {
+    const auto same_cell = [&](bool shared, uint32_t cell, uint32_t of_other) {
+      return shared ? cell == of_other : cell - one.first_local == of_other - two.first_local;
+    };
+    if (a.place != b.place || a.shared != b.shared || a.constant != b.constant) return false;
+    if (a.place == Place::kConstant) return true;
+    if (!same_cell(a.shared, a.cell, b.cell)) return false;
+    return a.place == Place::kCell || (a.size == b.size && a.index_shared == b.index_shared &&
+                                       same_cell(a.index_shared, a.index_cell, b.index_cell));
+  };
+  const auto alike = [&](const Statement& a, const Statement& b) {
+    const bool checked =
+        !a.before.empty() || !a.after.empty() || !b.before.empty() || !b.after.empty();
+    return !checked && a.opcode == b.opcode && a.op == b.op && a.type == b.type &&
+           a.displacement == b.displacement && same(a.a, b.a) && same(a.b, b.b) &&
+           same(a.target, b.target);
+  };
+  return one.local_count == two.local_count &&
+         std::ranges::equal(one.statements, two.statements, alike) &&
+         std::ranges::equal(ThreadCells(thread), ThreadCells(other));
+}
+
 bool Model::HasLoops() const {
   return std::ranges::any_of(threads_, [](const Thread& thread) {
     return std::ranges::any_of(thread.statements, [](const Statement& statement) {

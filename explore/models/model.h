@@ -150,6 +150,10 @@ class Model {
   /// True if a thread can jump back: otherwise every run ends.
   bool HasLoops() const;
 
+  /// True if two threads execute the same statements, none of which must meet a check, and their
+  /// locals have the same values. Before the first step.
+  bool Alike(int thread, int other) const;
+
   // --- The current state -------------------------------------------------------------------------
   // Threads are numbered from 0, in the order of their numbers on the card.
 

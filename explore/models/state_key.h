@@ -17,6 +17,10 @@ struct StateKey {
 /// The key of two sets without common pairs, or of one without another that it contains.
 constexpr StateKey operator^(StateKey a, StateKey b) { return {a.low ^ b.low, a.high ^ b.high}; }
 
+/// Sums of keys, for sets that can contain the same key several times.
+constexpr StateKey operator+(StateKey a, StateKey b) { return {a.low + b.low, a.high + b.high}; }
+constexpr StateKey operator-(StateKey a, StateKey b) { return {a.low - b.low, a.high - b.high}; }
+
 /// Scrambles a value at a place into 64 bits (the finaliser of MurmurHash3 over a Weyl step).
 constexpr uint64_t MixPlace(uint64_t seed, uint32_t place, int64_t value) {
   uint64_t x = static_cast<uint64_t>(value) + seed * (uint64_t{place} + 1);

@@ -39,14 +39,15 @@ std::optional<int64_t> ThreadStates::FinishStep(int thread) {
   return statements;
 }
 
+std::span<const int64_t> ThreadStates::CellsOf(uint32_t state) const {
+  const size_t count = start_.ThreadCells(states_[state].thread).size();
+  return std::span(cells_).subspan(states_[state].cells, count);
+}
+
 StateKey ThreadStates::KeyOf(uint32_t state) const {
-  const int thread = states_[state].thread;
-  const size_t count = start_.ThreadCells(thread).size();
-  uint32_t cell = start_.FirstThreadCell(thread);
+  uint32_t cell = start_.FirstThreadCell(states_[state].thread);
   StateKey key;
-  for (const int64_t value : std::span(cells_).subspan(states_[state].cells, count)) {
-    AddToKey(cell++, value, &key);
-  }
+  for (const int64_t value : CellsOf(state)) AddToKey(cell++, value, &key);
   return key;
 }
 

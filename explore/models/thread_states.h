@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "explore/models/model.h"
@@ -65,6 +66,9 @@ class ThreadStates {
   bool Failed(uint32_t state) const { return states_[state].failed; }
   /// The part of Model::key() that belongs to the thread.
   StateKey KeyOf(uint32_t state) const;
+  /// The cells of a thread in a state (Model::ThreadCells()); valid until the next step is known.
+  std::span<const int64_t> CellsOf(uint32_t state) const;
+  int ThreadOf(uint32_t state) const { return states_[state].thread; }
   /// What the next step of a thread that runs accesses, as a number less than kAccessMax.
   uint8_t AccessOf(uint32_t state) const { return states_[state].access; }
   /// Bit n: two steps with these accesses depend on each other; n is the number of the other one.

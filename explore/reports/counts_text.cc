@@ -20,13 +20,16 @@ Message CountsOf(const TraceCounts& traces) {
 }
 
 Message CountsOf(const StateCounts& states) {
-  return MakeMessage("stateful: {0} {6}states, {1} transitions, {2} bad, {3} different ends{8}{4}",
-                     "stateful：{0} 个{7}状态，{1} 次转移，错误 {2}，不同结局 {3}{9}{5}",
-                     states.states, states.transitions, states.bad_states, states.final_full,
-                     states.complete ? "" : "; not all", states.complete ? "" : "；未搜索完",
-                     states.merged ? "merged " : "", states.merged ? "合并后的" : "",
-                     states.in_groups ? "; some counted in several groups of schedules" : "",
-                     states.in_groups ? "；有的在多组调度中重复计入" : "");
+  return MakeMessage(
+      "stateful: {0} {6}states, {1} transitions, {2} bad, {3} different ends{8}{10}{4}",
+      "stateful：{0} 个{7}状态，{1} 次转移，错误 {2}，不同结局 {3}{9}{11}{5}", states.states,
+      states.transitions, states.bad_states, states.final_full, states.complete ? "" : "; not all",
+      states.complete ? "" : "；未搜索完", states.merged ? "merged " : "",
+      states.merged ? "合并后的" : "",
+      states.in_groups ? "; some counted in several groups of schedules" : "",
+      states.in_groups ? "；有的在多组调度中重复计入" : "",
+      states.symmetric ? "; up to an exchange of equal threads" : "",
+      states.symmetric ? "；相同线程互换的状态算一个" : "");
 }
 
 Message CountsOf(const IslandCounts& islands) {

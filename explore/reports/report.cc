@@ -64,6 +64,7 @@ std::string JsonReport(const Findings& findings) {
     json["states_complete"] = states->complete;
     if (states->merged) json["states_merged"] = true;
     if (states->in_groups) json["states_in_groups"] = true;
+    if (states->symmetric) json["states_symmetric"] = true;
     if (states->complete) {
       json["bad_states"] = states->bad_states;
       json["final_globals"] = states->final_globals;

@@ -40,10 +40,12 @@ void Add(const StateCounts& next, StateCounts* all) {
   all->final_full += next.final_full;
   all->merged = all->merged || next.merged;
   all->in_groups = all->in_groups || next.in_groups;
+  all->symmetric = all->symmetric || next.symmetric;
   all->finals_within.resize(std::max(all->finals_within.size(), next.finals_within.size()));
   for (size_t i = 0; i < next.finals_within.size(); ++i) {
     all->finals_within[i] += next.finals_within[i];
   }
+  if (all->symmetric) all->finals_within.clear();  // not known of all
   all->complete = all->complete && next.complete;
 }
 

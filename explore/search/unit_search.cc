@@ -72,6 +72,7 @@ void PutStateCounts(const StateCounts& states, SearchWriter* writer) {
   writer->PutList("within", states.finals_within);
   writer->PutFlag("merged", states.merged);
   writer->PutFlag("in_groups", states.in_groups);
+  writer->PutFlag("symmetric", states.symmetric);
   writer->PutFlag("complete", states.complete);
   writer->Close('}');
 }
@@ -204,7 +205,8 @@ Exploration FoundFrom(SearchReader& reader, const SearchValue& value) {
            .merged = flag(from, "merged"),
            .in_groups = flag(from, "in_groups"),
            .finals_within = reader.Wholes<int64_t>(reader.Member(from, "within"), 0, kCountMax),
-           .complete = flag(from, "complete")};
+           .complete = flag(from, "complete"),
+           .symmetric = flag(from, "symmetric")};
     if (to->finals_within.size() > kPreemptionBounds) {
       reader.Fail(reader.Member(from, "within"),
                   fmt::format("at most {} numbers", kPreemptionBounds),

@@ -37,7 +37,7 @@ std::string Arrives(const std::string& when) {
 
 TEST(CaseExploration, EveryValueOfAnInputIsProved) {
   const Findings all = FindingsOf(Adders("//@ input: x = -1..2\n//@ final: g == 2 * x\n"),
-                                  {.engine = EngineKind::kStateful});
+                                  {.engine = EngineKind::kStateful, .symmetry = false});
   EXPECT_EQ(all.exploration.verdict, Verdict::kProved);
   ASSERT_TRUE(all.cases);
   EXPECT_EQ(all.cases->cases, 4);
@@ -45,8 +45,9 @@ TEST(CaseExploration, EveryValueOfAnInputIsProved) {
   int64_t states = 0;
   int64_t transitions = 0;
   for (int x = -1; x <= 2; ++x) {
-    const Findings one = FindingsOf(Adders(fmt::format("//@ init: x={}\n//@ final: g == 0\n", x)),
-                                    {.engine = EngineKind::kStateful, .merge_private = true});
+    const Findings one =
+        FindingsOf(Adders(fmt::format("//@ init: x={}\n//@ final: g == 0\n", x)),
+                   {.engine = EngineKind::kStateful, .merge_private = true, .symmetry = false});
     states += one.exploration.states->states;
     transitions += one.exploration.states->transitions;
   }

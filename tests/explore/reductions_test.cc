@@ -124,12 +124,16 @@ TEST(ReductionsTest, MergedStatementsAnswerAsSingleOnes) {
       EXPECT_EQ(found.failure->cycle, whole.failure->cycle);
       EXPECT_EQ(found.states->states, whole.states->states);
     }
-    const auto merged = Explore(problem, {.engine = EngineKind::kStateful, .merge_private = true});
+    const auto merged = Explore(
+        problem,
+        {.engine = EngineKind::kStateful, .merge_private = true, .symmetry = seed % 2 == 0});
     if (merged.ok()) {
       ++merged_ones;
       ExpectSame(merged.value(), whole);
       EXPECT_EQ(merged.value().states->final_full, whole.states->final_full);
-      EXPECT_EQ(merged.value().states->finals_within, whole.states->finals_within);
+      if (!merged.value().states->symmetric) {
+        EXPECT_EQ(merged.value().states->finals_within, whole.states->finals_within);
+      }
       // The last statements before a race are not merged.
       const bool races = whole.failure && whole.failure->fault.kind == Fault::Kind::kRace;
       if (whole.failure && !whole.failure->livelock && !races) {
@@ -142,6 +146,101 @@ TEST(ReductionsTest, MergedStatementsAnswerAsSingleOnes) {
   EXPECT_GT(failed, programs / 8);
   EXPECT_LT(failed, programs * 7 / 8);
   EXPECT_GT(merged_ones, programs / 2);
+}
+
+/// Two to four threads, of which two or more have the same statements, and one requirement.
+std::string RandomEquals(uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](uint64_t n) { return static_cast<int>(random() % n); };
+  constexpr const char* kRequirements[] = {
+      "final: g[0] != 2",
+      "final: g[0] < 3",
+      "final: g[0] + g[1] != 3",
+      "final: ret0 < 2 || g[1] == 0",
+      "final: page1.k == 0 || g[0] < 2",
+      "never: g[0] == 2 && g[1] == 1",
+      "always: g[1] < 3 || g[0] == 0",
+      "eventually: g[0] > 0",
+      "races: benign",
+      "livelock: any\n//@ never: g[0] == 2 && g[1] == 1",
+  };
+  std::string source = "int g[2];\n";
+  // One of three asks for nothing: all results are compared.
+  if (below(3) != 0) {
+    source += fmt::format("//@ {}\n",
+                          kRequirements[static_cast<size_t>(below(std::size(kRequirements)))]);
+  }
+  const auto body = [&](int statements) {
+    std::string text;
+    for (int i = 0; i < statements; ++i) {
+      switch (below(8)) {
+        case 0:
+          text += fmt::format("  r = g[{}];\n", below(2));
+          break;
+        case 1:
+          text += fmt::format("  g[{}] = r + {};\n", below(2), below(2));
+          break;
+        case 2:
+          text += fmt::format("  g[{0}] = g[{0}] + 1;\n", below(2));
+          break;
+        case 3:
+          text += "  k = k + 1;\n";
+          break;
+        case 4:
+          text += fmt::format("  k = r & 1;\n  g[{}] = k;\n", below(2));
+          break;
+        case 5:
+          text += fmt::format("  c = g[{1}] == {2};\n  if (c) goto S{0};\n  k = 2;\nS{0}:\n", i,
+                              below(2), below(2));
+          break;
+        case 6:
+          text += fmt::format("  r = g[{0}];\n  r = r + 1;\n  g[{0}] = r;\n", below(2));
+          break;
+        default:
+          if (below(4) != 0) break;
+          text += fmt::format("W{0}:\n  c = g[{1}] == {2};\n  if (c) goto W{0};\n", i, below(2),
+                              below(2));
+          break;
+      }
+    }
+    return text + (below(2) == 0 ? "  return r;\n}\n" : "  return k;\n}\n");
+  };
+  const int threads = 2 + below(3);
+  const std::string same = body(threads == 4 ? 1 + below(2) : 1 + below(3));
+  const int other = threads > 2 && below(2) == 0 ? below(static_cast<uint64_t>(threads)) : -1;
+  for (int thread = 0; thread < threads; ++thread) {
+    source += fmt::format("int t{}() {{\n  int r, k, c;\n", thread);
+    source += thread == other ? body(1) : same;
+  }
+  return source;
+}
+
+TEST(ReductionsTest, EqualThreadsAnswerAsDifferentOnes) {
+  uint64_t failed = 0;
+  uint64_t symmetric = 0;
+  const uint64_t programs = Waiters();
+  for (uint64_t seed = 0; seed < programs; ++seed) {
+    const std::string source = RandomEquals(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}", seed, source));
+    const Problem problem = ProblemOf(source);
+    const ExploreOptions single = {.engine = EngineKind::kStateful, .merge_private = false};
+    const Exploration whole = Explore(problem, single).value();
+    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful}).value();
+    ExpectSame(found, whole);
+    EXPECT_EQ(found.states->final_globals, whole.states->final_globals);
+    EXPECT_EQ(found.states->final_full, whole.states->final_full);
+    EXPECT_EQ(found.ends, whole.ends);
+    EXPECT_EQ(found.coverage, whole.coverage);
+    if (whole.failure) {
+      EXPECT_FALSE(found.states->symmetric);
+      EXPECT_EQ(found.failure->steps, whole.failure->steps);
+    }
+    symmetric += found.states->symmetric ? 1 : 0;
+    failed += whole.failure ? 1 : 0;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(failed, programs / 16);
+  EXPECT_GT(symmetric, programs / 4);
 }
 
 /// The executions of a split search whose parts are interrupted again and again.

@@ -44,7 +44,7 @@ SearchFile FileOfUnits() {
   found.paired = true;
   found.horizon = {12.25, 3, 5};
   found.traces = TraceCounts{1, 2, 3, 4, 5, 6, true, true};
-  found.states = StateCounts{7, 8, 9, 10, 11, true, true, {12, 13}, true};
+  found.states = StateCounts{7, 8, 9, 10, 11, true, true, {12, 13}, true, true};
   found.islands = IslandCounts{{{0, 2}, {1}}, 14, 15};
   found.reduced = ReducedCounts{18, 19, 20};
   found.bounded.emplace();
@@ -76,6 +76,7 @@ TEST(UnitSearch, TheTextHoldsEverything) {
   EXPECT_EQ(units.found->traces->final_full, 6);
   EXPECT_EQ(units.found->states->finals_within, (std::vector<int64_t>{12, 13}));
   EXPECT_TRUE(units.found->states->in_groups);
+  EXPECT_TRUE(units.found->states->symmetric);
   EXPECT_EQ(units.found->islands->threads, file.units->found->islands->threads);
   EXPECT_EQ(units.found->reduced->starts, 20);
   EXPECT_FALSE(units.reductions);
