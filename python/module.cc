@@ -201,8 +201,9 @@ SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool s
                              const std::vector<RequirementText>& requirements,
                              const std::string& engine, const std::string& races,
                              const std::map<std::string, std::optional<int64_t>>& numbers,
-                             std::optional<bool> merge_private, std::optional<bool> symmetry,
-                             std::optional<bool> islands, std::optional<bool> reductions, bool all,
+                             std::optional<bool> merge_private, std::optional<bool> dead_locals,
+                             std::optional<bool> symmetry, std::optional<bool> islands,
+                             std::optional<bool> reductions, bool all,
                              const std::vector<std::string>& silent, double seconds,
                              int64_t memory_mib) {
   const Source source = {main, files, structured};
@@ -219,6 +220,7 @@ SearchOutcome ExploreProgram(const std::string& main, const Texts& files, bool s
   wish.depth = numbers.at("depth");
   wish.preemptions = numbers.at("preemptions");
   wish.merge_private = merge_private;
+  wish.dead_locals = dead_locals;
   wish.symmetry = symmetry;
   wish.islands = islands;
   wish.reductions = reductions;
@@ -318,9 +320,9 @@ PYBIND11_MODULE(_oncard, module) {  // NOLINT
       .def("schedule", [](const SearchOutcome& outcome) { return TextOf(outcome.schedule); });
   module.def("explore", &ExploreProgram, py::arg("main"), py::arg("files"), py::arg("structured"),
              py::arg("requirements"), py::arg("engine"), py::arg("races"), py::arg("numbers"),
-             py::arg("merge_private"), py::arg("symmetry"), py::arg("islands"),
-             py::arg("reductions"), py::arg("all"), py::arg("silent"), py::arg("seconds"),
-             py::arg("memory_mib"));
+             py::arg("merge_private"), py::arg("dead_locals"), py::arg("symmetry"),
+             py::arg("islands"), py::arg("reductions"), py::arg("all"), py::arg("silent"),
+             py::arg("seconds"), py::arg("memory_mib"));
 
   py::class_<SharedSession>(module, "Session")
       .def(py::init<>())

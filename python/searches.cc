@@ -65,6 +65,7 @@ Result<void> CheckSettings(const SearchWish& wish, explore::EngineKind engine) {
     const bool given = found != settings.end()
                            ? found->value.has_value()
                            : (known.option == "--merge-private" && wish.merge_private) ||
+                                 (known.option == "--no-dead-locals" && wish.dead_locals) ||
                                  (known.option == "--no-symmetry" && wish.symmetry) ||
                                  (known.option == "--no-islands" && wish.islands) ||
                                  (known.option == "--no-reductions" && wish.reductions);
@@ -86,6 +87,7 @@ Result<explore::ExploreOptions> OptionsOf(const SearchWish& wish,
   options.depth = static_cast<int>(wish.depth.value_or(options.depth));
   options.preemption_limit = static_cast<int>(wish.preemptions.value_or(options.preemption_limit));
   options.merge_private = wish.merge_private;
+  options.dead_locals = wish.dead_locals.value_or(options.dead_locals);
   options.symmetry = wish.symmetry.value_or(options.symmetry);
   options.islands = wish.islands.value_or(options.islands);
   options.reductions = wish.reductions.value_or(options.reductions);

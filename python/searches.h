@@ -27,6 +27,7 @@ struct SearchWish {
   std::optional<int64_t> depth;
   std::optional<int64_t> preemptions;
   std::optional<bool> merge_private;
+  std::optional<bool> dead_locals;
   std::optional<bool> symmetry;
   std::optional<bool> islands;
   std::optional<bool> reductions;

@@ -86,6 +86,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   options.preemption_limit = arguments.preemptions.value_or(options.preemption_limit);
   if (arguments.merge_private) options.merge_private = true;
   if (arguments.no_merge_private) options.merge_private = false;
+  options.dead_locals = !arguments.no_dead_locals;
   options.symmetry = !arguments.no_symmetry;
   options.islands = !arguments.no_islands;
   options.reductions = !arguments.no_reductions;
@@ -110,6 +111,7 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
       {"--preemptions", arguments.preemptions.has_value()},
       {"--merge-private", arguments.merge_private},
       {"--no-merge-private", arguments.no_merge_private},
+      {"--no-dead-locals", arguments.no_dead_locals},
       {"--no-symmetry", arguments.no_symmetry},
       {"--no-islands", arguments.no_islands},
       {"--no-reductions", arguments.no_reductions}};

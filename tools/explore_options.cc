@@ -56,6 +56,11 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                    invocation.Say({"count every state between two statements: more states",
                                    "统计任意两条语句之间的每个状态：状态更多"}));
   command.add_flag(
+      "--no-dead-locals", arguments.no_dead_locals,
+      invocation.Say(
+          {"tell states apart by the value of a local even where it cannot be read any more",
+           "局部变量的值即使不会再被读取，也用来区分状态"}));
+  command.add_flag(
       "--no-symmetry", arguments.no_symmetry,
       invocation.Say({"tell states apart that differ only in which of several equal threads "
                       "is where",

@@ -27,6 +27,7 @@ struct ExploreArguments {
   bool structured = false;
   bool merge_private = false;
   bool no_merge_private = false;
+  bool no_dead_locals = false;
   bool no_symmetry = false;
   bool no_islands = false;
   bool no_reductions = false;

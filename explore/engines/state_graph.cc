@@ -264,7 +264,10 @@ class StatementWalk {
   /// Returns the number of statements.
   int64_t Execute(int thread) {
     model_.Step(thread);
-    return 1 + (merge_ ? model_.StepPrivate(thread, kMergedMax) : 0);
+    if (!merge_) return 1;
+    const int64_t more = model_.StepPrivate(thread, kMergedMax);
+    model_.ForgetDeadLocals(thread);
+    return 1 + more;
   }
   void Undo(int64_t statements) {
     for (; statements > 0; --statements) model_.Undo();
@@ -482,7 +485,9 @@ class GraphBuilder {
   };
 
   void Merge(int thread) {
-    if (limits_.merge_private) model_.StepPrivate(thread, kMergedMax);
+    if (!limits_.merge_private) return;
+    model_.StepPrivate(thread, kMergedMax);
+    model_.ForgetDeadLocals(thread);
   }
 
   /// Searches from the state current_, which is new, and back along the path. False, and the walk

@@ -62,6 +62,9 @@ struct StateLimits {
   /// A step combines a statement with the following ones, and those at the thread's start, that
   /// access nothing shared: there are fewer states, with the same ends and minimum preemptions.
   bool merge_private = false;
+  /// With `merge_private`: locals that cannot matter any more count as 0 (SearchStates()), where no
+  /// requirement names a local.
+  bool dead_locals = false;
   /// With `merge_private`: states that differ only in an exchange of equal threads count as one
   /// (models/equal_threads.h).
   bool symmetry = false;
@@ -90,7 +93,7 @@ enum class Judged : uint8_t {
 
 /// Explores from the model's current state, depth first, and leaves the model in that state. If
 /// statements are merged, the first state is the one after all private statements at the threads'
-/// starts.
+/// starts, and the model forgets what cannot matter (Model::ForgetDeadLocals()).
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge,
                            Judged judged = Judged::kEveryState);
 

@@ -8,6 +8,7 @@
 #include "explore/engines/shrink.h"
 #include "explore/models/equal_threads.h"
 #include "explore/models/key_set.h"
+#include "explore/models/thread_future.h"
 
 namespace oncard::explore {
 namespace {
@@ -200,6 +201,12 @@ Failure FirstWayToBad(const Problem& problem, const StateSearch& search) {
   return failure;
 }
 
+bool SeesLocals(const Problem& problem) {
+  return std::ranges::any_of(problem.requirements, [](const BoundRequirement& requirement) {
+    return requirement.scope == Scope::kFinal && requirement.property.SeesLocals();
+  });
+}
+
 /// True if an exchange of equal threads changes nothing that is asked. Threads whose statements are
 /// checked have no equals.
 bool CanExchange(const Problem& problem) {
@@ -223,6 +230,8 @@ StateSearch SearchGraph(const Problem& problem, const StateLimits& limits) {
   StateSearch search;
   search.counts.merged = limits.merge_private;
   Model model = problem.model;
+  const bool dead_locals = limits.merge_private && limits.dead_locals && !SeesLocals(problem);
+  if (dead_locals) FindDeadLocals(&model);
   model.TrackKey(true);
   model.NoteIn(&search.coverage);
   const EqualThreads equal = limits.symmetry ? EqualThreads(model) : EqualThreads();

@@ -244,7 +244,7 @@ bool Model::Alike(int thread, int other) const {
            a.displacement == b.displacement && same(a.a, b.a) && same(a.b, b.b) &&
            same(a.target, b.target);
   };
-  return one.local_count == two.local_count &&
+  return one.local_count == two.local_count && one.dead == two.dead &&
          std::ranges::equal(one.statements, two.statements, alike) &&
          std::ranges::equal(ThreadCells(thread), ThreadCells(other));
 }
@@ -462,6 +462,18 @@ int64_t Model::StepPrivate(int thread, int64_t limit) {
     Step(thread);
   }
   return steps;
+}
+
+void Model::ForgetDeadLocals(int thread) {
+  const Thread& owner = threads_[Index(thread)];
+  if (owner.dead.empty()) return;
+  if (Running(thread)) {
+    for (const uint32_t slot : owner.dead[static_cast<size_t>(Position(thread))]) {
+      Write(owner.first_local + slot, 0);
+    }
+  } else {
+    for (uint32_t slot = 0; slot < owner.local_count; ++slot) Write(owner.first_local + slot, 0);
+  }
 }
 
 void Model::Undo() {

@@ -154,6 +154,13 @@ class Model {
   /// locals have the same values. Before the first step.
   bool Alike(int thread, int other) const;
 
+  /// For each statement of a thread, the slots of its locals that cannot matter any more before it
+  /// is executed (thread_future.h); of a thread that has ended none can. ForgetDeadLocals() does
+  /// nothing without it.
+  void SetDeadLocals(int thread, std::vector<std::vector<uint32_t>> dead) {
+    threads_[Index(thread)].dead = std::move(dead);
+  }
+
   // --- The current state -------------------------------------------------------------------------
   // Threads are numbered from 0, in the order of their numbers on the card.
 
@@ -222,6 +229,9 @@ class Model {
   /// Executes a thread's statements up to the next one that accesses a shared cell, or to its end,
   /// at most `limit` of them. Returns their number.
   int64_t StepPrivate(int thread, int64_t limit);
+  /// Sets the locals of a thread that cannot matter any more to 0, as a part of the last step;
+  /// there must be one, unless steps are forgotten before any is undone.
+  void ForgetDeadLocals(int thread);
   /// Undoes the last step.
   void Undo();
   /// The thread of a step; steps are counted from 0.
@@ -260,6 +270,7 @@ class Model {
     uint32_t first_local = 0;  ///< cell of slot 0 of its page
     uint32_t local_count = 0;
     uint8_t* noted = nullptr;  ///< StatementCoverage::BitsOf(); nullptr: nothing is noted
+    std::vector<std::vector<uint32_t>> dead;  ///< SetDeadLocals()
   };
   struct Change {
     uint32_t cell = 0;

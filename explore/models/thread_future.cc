@@ -131,4 +131,20 @@ ThreadFuture::ThreadFuture(const Model& model, int thread) {
   }
 }
 
+void FindDeadLocals(Model* model) {
+  for (int thread = 0; thread < model->thread_count(); ++thread) {
+    const ThreadFuture future(*model, thread);
+    const auto function = static_cast<size_t>(model->setup(thread).function);
+    const size_t statements = model->image().object.functions[function].instructions.size();
+    std::vector<Slots> dead(statements);
+    for (size_t position = 0; position < statements; ++position) {
+      const Slots& alive = future.Locals(static_cast<int>(position));
+      for (uint32_t slot = 0; slot < model->local_count(thread); ++slot) {
+        if (!std::ranges::binary_search(alive, slot)) dead[position].push_back(slot);
+      }
+    }
+    model->SetDeadLocals(thread, std::move(dead));
+  }
+}
+
 }  // namespace oncard::explore

@@ -53,4 +53,8 @@ class ThreadFuture {
   std::vector<uint32_t> all_;  ///< the locals, if they are not looked at
 };
 
+/// Lets a model forget the locals of its threads that cannot matter any more
+/// (Model::ForgetDeadLocals()).
+void FindDeadLocals(Model* model);
+
 }  // namespace oncard::explore

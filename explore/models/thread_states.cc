@@ -36,6 +36,7 @@ std::optional<int64_t> ThreadStates::FinishStep(int thread) {
   if (statements_ == kSingleStatements) return 0;
   const int64_t statements = scratch_.StepPrivate(thread, statements_);
   if (statements >= statements_) return std::nullopt;
+  scratch_.ForgetDeadLocals(thread);
   return statements;
 }
 

@@ -37,8 +37,9 @@ class ThreadStates {
   };
 
   /// For the threads of a program. The accesses of its statements must be local
-  /// (Model::AccessesAreLocal()). Runs of statements that access no globals are given up if they
-  /// are not shorter than `statements`.
+  /// (Model::AccessesAreLocal()). Steps that are several statements also forget what the model
+  /// forgets (Model::ForgetDeadLocals()). Runs of statements that access no globals are given up if
+  /// they are not shorter than `statements`.
   ThreadStates(const Model& model, int64_t statements, size_t state_max = kStateMax);
 
   /// The state of a thread of the model after the statements at its beginning that access no

@@ -130,6 +130,7 @@ StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* sto
   return {.states = options.state_limit,
           .states_after_bad = AftermathOf(options).states,
           .merge_private = options.merge_private == true,
+          .dead_locals = options.dead_locals,
           .symmetry = options.symmetry,
           .stop = stop,
           .progress = options.progress};

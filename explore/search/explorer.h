@@ -83,8 +83,9 @@ struct ExploreOptions {
   /// statements are combined where none can, as long as no failure is found; a failure is then
   /// sought again in single statements, so that the simplest one is shown.
   std::optional<bool> merge_private = {};
-  /// kStateful, kAuto, where statements are combined: states that differ only in an exchange of
-  /// equal threads count as one (StateLimits).
+  /// kStateful, kAuto, where statements are combined: locals that cannot matter any more count as
+  /// 0, and states that differ only in an exchange of equal threads count as one (StateLimits).
+  bool dead_locals = true;
   bool symmetry = true;
   /// kAuto, with a card: threads that share nothing are searched by themselves
   /// (explore/models/islands.h).

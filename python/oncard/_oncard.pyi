@@ -51,6 +51,7 @@ def explore(
     races: str,
     numbers: dict[str, int | None],
     merge_private: bool | None,
+    dead_locals: bool | None,
     symmetry: bool | None,
     islands: bool | None,
     reductions: bool | None,

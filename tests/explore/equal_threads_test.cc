@@ -74,16 +74,18 @@ TEST(EqualThreadsTest, EndsAreThoseOfAllExchanges) {
 // apart.
 TEST(EqualThreadsTest, StatesAreCountedOnce) {
   struct Case {
+    bool dead_locals;
     bool symmetry;
     int64_t states;
   };
-  for (const Case& c : {Case{false, 13}, Case{true, 8}}) {
+  for (const Case& c : {Case{false, false, 13}, Case{true, false, 12}, Case{true, true, 8}}) {
     Problem problem = ProblemOf(Increments(2, 1));
     problem.requirements.clear();
-    const Exploration found =
-        Explore(problem,
-                {.engine = EngineKind::kStateful, .merge_private = true, .symmetry = c.symmetry})
-            .value();
+    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful,
+                                                .merge_private = true,
+                                                .dead_locals = c.dead_locals,
+                                                .symmetry = c.symmetry})
+                                  .value();
     EXPECT_EQ(found.states->states, c.states);
     EXPECT_EQ(found.states->symmetric, c.symmetry);
     EXPECT_EQ(found.states->final_globals, 2);

@@ -225,17 +225,20 @@ TEST(ReductionsTest, EqualThreadsAnswerAsDifferentOnes) {
     const Problem problem = ProblemOf(source);
     const ExploreOptions single = {.engine = EngineKind::kStateful, .merge_private = false};
     const Exploration whole = Explore(problem, single).value();
-    const Exploration found = Explore(problem, {.engine = EngineKind::kStateful}).value();
-    ExpectSame(found, whole);
-    EXPECT_EQ(found.states->final_globals, whole.states->final_globals);
-    EXPECT_EQ(found.states->final_full, whole.states->final_full);
-    EXPECT_EQ(found.ends, whole.ends);
-    EXPECT_EQ(found.coverage, whole.coverage);
-    if (whole.failure) {
-      EXPECT_FALSE(found.states->symmetric);
-      EXPECT_EQ(found.failure->steps, whole.failure->steps);
+    for (const bool dead_locals : {false, true}) {
+      const Exploration found =
+          Explore(problem, {.engine = EngineKind::kStateful, .dead_locals = dead_locals}).value();
+      ExpectSame(found, whole);
+      EXPECT_EQ(found.states->final_globals, whole.states->final_globals);
+      EXPECT_EQ(found.states->final_full, whole.states->final_full);
+      EXPECT_EQ(found.ends, whole.ends);
+      EXPECT_EQ(found.coverage, whole.coverage);
+      if (whole.failure) {
+        EXPECT_FALSE(found.states->symmetric);
+        EXPECT_EQ(found.failure->steps, whole.failure->steps);
+      }
+      symmetric += dead_locals && found.states->symmetric ? 1 : 0;
     }
-    symmetric += found.states->symmetric ? 1 : 0;
     failed += whole.failure ? 1 : 0;
     if (HasFailure()) return;
   }

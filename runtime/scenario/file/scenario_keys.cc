@@ -27,6 +27,7 @@ constexpr SearchSetting kSettings[] = {
     {"", "--preemptions", kOfBounded},
     {"", "--merge-private", kOfGraphs},
     {"", "--no-merge-private", kOfGraphs},
+    {"", "--no-dead-locals", kOfGraphs},
     {"", "--no-symmetry", kOfGraphs},
     {"", "--no-islands", kOfAuto},
     {"", "--no-reductions", kOfAuto},
