@@ -437,12 +437,12 @@ std::string ClaimText(const Findings& findings, Language language) {
   }
   const WayOut& way = findings.way_out;
   std::vector<std::pair<Message, std::vector<Message>>> entries = {
-      {{"asked", "要求"}, std::move(asked)},
-      {{"not asked", "未要求"}, std::move(claim.not_asked)},
-      {{"program", "程序"}, std::move(claim.program)},
-      {{"cases", "情形"}, std::move(claim.cases)},
-      {{"assumes", "前提"}, std::move(claim.assumptions)},
-      {{"bounds", "范围"}, std::move(claim.bounds)},
+      {{"asked", "要求"}, asked},
+      {{"not asked", "未要求"}, claim.not_asked},
+      {{"program", "程序"}, claim.program},
+      {{"cases", "情形"}, claim.cases},
+      {{"assumes", "前提"}, claim.assumptions},
+      {{"bounds", "范围"}, claim.bounds},
       {{"by", "工具"}, {claim.by}},
       {{"reached", "进度"}, way.reached},
       {{"spent on", "状态用于"}, way.spent},

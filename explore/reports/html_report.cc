@@ -177,7 +177,9 @@ class Page {
     const auto verdict = std::string(VerdictName(findings_.exploration.verdict));
     std::string name = subject_.program;
     for (const std::string& file : {subject_.scenario, subject_.record}) {
-      if (!file.empty()) name = file + (name.empty() ? "" : ": " + name);
+      if (file.empty()) continue;
+      if (!name.empty()) name.insert(0, ": ");
+      name.insert(0, file);
     }
     if (name.empty()) name = "oncard explore";
     html_ = fmt::format(
