@@ -81,6 +81,19 @@ std::vector<Message> Reductions(const Exploration& exploration) {
          "where no requirement sees what is between them",
          "stateful：不访问全局变量的语句可与前一条合为一步，前提是没有要求能看到其间的状态"});
   }
+  if (exploration.states && exploration.states->symmetric) {
+    lines.push_back({"stateful: states that differ only in an exchange of equal threads are one",
+                     "stateful：仅相同线程互换位置的状态算作一个"});
+  }
+  if (exploration.reduced) {
+    lines.push_back(
+        {"reduced: statements of a cycle that nobody notices were executed in one order; locals "
+         "that "
+         "are not read any more, and what is left of moves and stops that have ended, do not count",
+         "约简：周期内不影响任何线程和要求的语句只按一种次序执行；不再读取的局部变量以及已结束的运"
+         "动和"
+         "停止所留下的数据不计入状态"});
+  }
   if (exploration.islands) {
     lines.push_back(
         {"islands: threads that share nothing were searched apart, with any timing of the others: "
