@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "explore/engines/walk.h"
+#include "explore/search/case_counts.h"
 
 namespace oncard::explore {
 namespace {
@@ -91,8 +92,7 @@ std::vector<Message> NextOf(const Subject& subject, const Exploration& explorati
     next.push_back({line, line});
   };
   // What is kept in a file goes on there.
-  const bool limited =
-      exploration.states && exploration.states->states >= int64_t{options.state_limit};
+  const bool limited = StatesUsed(exploration) >= int64_t{options.state_limit};
   const std::string more =
       fmt::format("--max-states={}", (options.states_before + int64_t{options.state_limit}) * 4);
   if (!options.kept.empty()) {

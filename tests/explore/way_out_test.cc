@@ -63,6 +63,13 @@ TEST(WayOutTest, OfACardSaysHowFarItCameAndWhy) {
                           "until_ms = 0.25 in the scenario"));
 }
 
+TEST(WayOutTest, OfASearchWithReductionsOffersMoreStates) {
+  const Findings findings = FindingsOf(kPolling, "final = [\"n == 1\"]\n", {.state_limit = 60});
+  ASSERT_EQ(findings.exploration.verdict, Verdict::kIncomplete);
+  ASSERT_TRUE(findings.exploration.reduced);
+  EXPECT_EQ(findings.way_out.next[0].en, "oncard explore test.toml --max-states=240");
+}
+
 /// The first case has few states; in the others thread 0 polls.
 TEST(WayOutTest, OfCasesIsThatOfTheOneThatEndedTheSearch) {
   std::string source = kPolling;
