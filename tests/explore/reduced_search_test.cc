@@ -107,6 +107,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "int a;\nint t0() { int n; n = 1; a = 1; a = 0; return n; }\n"
                 "int t1() { int n;\nn = 1;\n//@ assert: a == 0\nn = 2;\nreturn n; }\n",
                 "rate = 100\n"},
+        // A local that only an assert reads.
+        Machine{"AssertOfLocal",
+                "int t0() { int n; n = 1;\n//@ assert: n == 1\nn = 2;\nreturn 0; }\n"
+                "int t1() { return 0; }\n",
+                "rate = 100\n"},
         // Two axes one of which follows the other.
         Machine{"Gear",
                 "int t0() { GT_AxisOn(1); GT_PrfTrap(1); GT_SetVel(1, 5); GT_SetPos(1, 20);"
