@@ -173,8 +173,13 @@ test("names are described under the pointer and at the cursor", async ({ page })
   await write(page, "int main()\n{\n  GT_ClrSts(1, 1);\n}\n");
   await expect(page.getByText("No messages")).toBeVisible();
   const description = page.locator(".cm-description");
-  await page.locator(".cm-line", { hasText: "GT_ClrSts" }).hover({ position: { x: 40, y: 8 } });
-  await expect(description).toContainText("GT_ClrSts");
+  const call = page.locator(".cm-line", { hasText: "GT_ClrSts" });
+  // The pointer may come before what has just been pasted is read: it then has to move again.
+  await expect(async () => {
+    await page.mouse.move(0, 0);
+    await call.hover({ position: { x: 40, y: 8 } });
+    await expect(description).toContainText("GT_ClrSts", { timeout: 2_000 });
+  }).toPass();
   await page.mouse.move(0, 0);
   await expect(description).toHaveCount(0);
 
