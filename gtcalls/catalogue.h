@@ -5,6 +5,7 @@
 // to use from any thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -235,6 +236,11 @@ struct Command {
   std::string_view brief;     ///< what it does, one line
   std::string_view brief_zh;  ///< the same in Chinese
   std::string_view source;    ///< document and section that the row is based on
+
+  /// True if it reads or writes a resource of this kind.
+  bool Touches(Resource resource) const {
+    return std::ranges::find(accesses, resource, &Access::resource) != accesses.end();
+  }
 };
 
 /// A line of catalogue.def: the title of a topic, or a command.

@@ -35,11 +35,7 @@ bool Delays(const vm::Instruction& instruction, const gtcalls::Catalogue& catalo
   if (instruction.opcode != vm::Opcode::kCommand) return false;
   const gtcalls::Command* command = catalogue.Find(instruction.op);
   if (command == nullptr || instruction.operands.size() != 1) return false;
-  const auto accesses = [&](Resource resource) {
-    return std::ranges::find(command->accesses, resource, &gtcalls::Access::resource) !=
-           command->accesses.end();
-  };
-  if (!accesses(Resource::kThread) || !accesses(Resource::kClock)) return false;
+  if (!command->Touches(Resource::kThread) || !command->Touches(Resource::kClock)) return false;
   // A thread with a time that is computed may go on at once.
   const auto* time = std::get_if<vm::Immediate>(&instruction.operands.front());
   return time != nullptr && time->raw >> vm::kFractionBits > 0;

@@ -127,12 +127,8 @@ bool WaitsForVariables(const vm::Object& object, const gtcalls::Catalogue& catal
   const auto waits = [&](const vm::Instruction& instruction) {
     if (instruction.opcode != vm::Opcode::kCommand) return false;
     const gtcalls::Command* command = catalogue.Find(instruction.op);
-    if (command == nullptr) return true;
-    const auto accesses = [&](Resource resource) {
-      return std::ranges::find(command->accesses, resource, &gtcalls::Access::resource) !=
-             command->accesses.end();
-    };
-    return accesses(Resource::kThread) && accesses(Resource::kVariable);
+    return command == nullptr ||
+           (command->Touches(Resource::kThread) && command->Touches(Resource::kVariable));
   };
   return std::ranges::any_of(object.functions, [&](const vm::Function& function) {
     return std::ranges::any_of(function.instructions, waits);
