@@ -10,6 +10,7 @@
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/run/reaction_conditions.h"
+#include "vm/operand_slots.h"
 
 namespace oncard::explore {
 namespace {
@@ -62,16 +63,10 @@ void CardSteps::AddToKey(const Row& row, const Names& names) {
 }
 
 void CardSteps::PlanInstructions() {
-  const auto add_global = [](uint32_t first, uint32_t count, Instruction* plan) {
-    for (uint32_t i = 0; i < count; ++i) plan->globals.push_back(static_cast<uint16_t>(first + i));
-  };
-  const auto add_operand = [&](const vm::Operand& operand, Instruction* plan) {
-    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
-      if (variable->storage == vm::Storage::kGlobal) add_global(variable->id, 1, plan);
-    } else if (const auto* element = std::get_if<vm::Element>(&operand)) {
-      if (element->index.storage == vm::Storage::kGlobal) add_global(element->index.id, 1, plan);
-      if (element->storage == vm::Storage::kGlobal) add_global(element->base, element->size, plan);
-    }
+  const auto add_operand = [](const vm::Operand& operand, Instruction* plan) {
+    vm::ForEachNamedSlot(operand, vm::Storage::kGlobal, [&](uint32_t slot) {
+      plan->globals.push_back(static_cast<uint16_t>(slot));
+    });
   };
   const auto add_command = [&](uint16_t number, Instruction* plan) {
     plan->command = card_.family().catalogue.Find(number);

@@ -1,10 +1,10 @@
 #include "explore/models/cycle_accesses.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "explore/models/word_key.h"
 #include "runtime/observe/lasting_access.h"
+#include "vm/operand_slots.h"
 
 namespace oncard::explore {
 namespace {
@@ -23,13 +23,9 @@ constexpr uint32_t kByCommand = ~uint32_t{0};
 /// may wait.
 bool LeavesPrograms(const gtcalls::Command* command) {
   if (command == nullptr) return false;
-  const auto accesses = [&](Resource resource) {
-    return std::ranges::find(command->accesses, resource, &gtcalls::Access::resource) !=
-           command->accesses.end();
-  };
-  if (accesses(Resource::kProgram) || accesses(Resource::kEverything)) return false;
-  return !accesses(Resource::kThread) || accesses(Resource::kClock) ||
-         accesses(Resource::kVariable);
+  if (command->Touches(Resource::kProgram) || command->Touches(Resource::kEverything)) return false;
+  return !command->Touches(Resource::kThread) || command->Touches(Resource::kClock) ||
+         command->Touches(Resource::kVariable);
 }
 
 bool IsCommand(const vm::Instruction& instruction) {
@@ -125,17 +121,12 @@ StatementAccess CycleAccesses::OperandsOf(const vm::Instruction& instruction, si
       {Resource::kProgram, static_cast<uint32_t>(thread), true},
       {Resource::kThread, card_.machine().thread(static_cast<int>(thread)).page, true}};
   const auto add = [&](const vm::Operand& operand, bool write) {
-    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
-      if (variable->storage != vm::Storage::kGlobal) return;
-      access.push_back({Resource::kVariable, variable->id, write});
-    } else if (const auto* element = std::get_if<vm::Element>(&operand)) {
-      if (element->index.storage == vm::Storage::kGlobal) {
-        access.push_back({Resource::kVariable, element->index.id});
-      }
-      for (uint32_t i = 0; i < element->size && element->storage == vm::Storage::kGlobal; ++i) {
-        access.push_back({Resource::kVariable, element->base + i, write});
-      }
-    }
+    vm::ForEachSlot(operand, vm::Storage::kGlobal, [&](uint32_t slot) {
+      access.push_back({Resource::kVariable, slot, write});
+    });
+    const vm::Variable* index = vm::IndexVariableOf(operand);
+    if (index == nullptr || index->storage != vm::Storage::kGlobal) return;
+    access.push_back({Resource::kVariable, index->id});
   };
   for (size_t i = 0; i < instruction.operands.size(); ++i) {
     add(instruction.operands[i], computes && i + 1 == instruction.operands.size());

@@ -9,46 +9,26 @@
 namespace oncard::explore {
 namespace {
 
-/// Bit n: the local with the slot n.
-using LocalSlots = std::bitset<vm::kSlotCount>;
-
 constexpr uint32_t kUnknown = ~uint32_t{0};
 
-/// The locals of an operand that can be read.
-void AddLocals(const vm::Operand& operand, LocalSlots* slots) {
-  const auto add = [&](const vm::Variable& variable) {
-    if (variable.storage == vm::Storage::kLocal) slots->set(variable.id);
-  };
-  if (const auto* variable = std::get_if<vm::Variable>(&operand)) add(*variable);
-  const auto* element = std::get_if<vm::Element>(&operand);
-  if (element == nullptr) return;
-  add(element->index);
-  if (element->storage != vm::Storage::kLocal) return;
-  for (size_t i = 0; i < element->size; ++i) slots->set(element->base + i);
-}
-
-/// What a statement does with locals.
-struct LocalEffect {
-  LocalSlots read;
-  LocalSlots written;  ///< always
-};
-
-LocalEffect LocalEffectOf(const vm::Instruction& instruction, const CardSteps::Outputs& outputs) {
+LocalUse UseOf(const vm::Function& function, size_t position, const CardSteps::Outputs& outputs) {
+  const vm::Instruction& instruction = function.instructions[position];
   const bool computes =
       instruction.opcode == vm::Opcode::kUnary || instruction.opcode == vm::Opcode::kBinary;
-  LocalEffect effect;
+  LocalUse use;
+  use.next = FollowersOf(function, position);
   for (size_t i = 0; i < instruction.operands.size(); ++i) {
     const vm::Operand& operand = instruction.operands[i];
     const bool target = computes && i + 1 == instruction.operands.size() &&
                         std::holds_alternative<vm::Variable>(operand);
     if (target) {
-      AddLocals(operand, &effect.written);
+      AddOwnLocals(operand, &use.written);
     } else if (std::ranges::find(outputs.operands, i) == outputs.operands.end()) {
-      AddLocals(operand, &effect.read);
+      AddNamedLocals(operand, &use.read);
     }
   }
-  for (const uint16_t slot : outputs.slots) effect.written.set(slot);
-  return effect;
+  for (const uint16_t slot : outputs.slots) use.written.set(slot);
+  return use;
 }
 
 }  // namespace
@@ -79,38 +59,21 @@ void DeadLocals::Begin() {
   }
 }
 
-std::vector<DeadLocals::Slots> DeadLocals::DeadIn(const OfThread& thread) const {
+std::vector<LocalSlots> DeadLocals::DeadIn(const OfThread& thread) const {
   const vm::Function& function = object_.functions[thread.function];
-  const size_t count = function.instructions.size();
-  std::vector<LocalEffect> effects;
-  std::vector<std::vector<size_t>> before(count);
-  std::vector<size_t> open;
-  Slots known;
-  for (size_t position = 0; position < count; ++position) {
-    const CardSteps::Outputs& outputs = rows_.OutputsOf(thread.function, position);
-    const vm::Instruction& instruction = function.instructions[position];
-    effects.push_back(
-        LocalEffectOf(instruction, thread.unsure[position] ? CardSteps::Outputs() : outputs));
-    known |= effects.back().read | effects.back().written;
-    for (const size_t next : FollowersOf(function, position)) before[next].push_back(position);
-    open.push_back(position);
+  std::vector<LocalUse> uses;
+  LocalSlots known;
+  for (size_t position = 0; position < function.instructions.size(); ++position) {
+    const bool unsure = thread.unsure[position];
+    uses.push_back(
+        UseOf(function, position,
+              unsure ? CardSteps::Outputs() : rows_.OutputsOf(thread.function, position)));
+    known |= uses.back().read | uses.back().written;
   }
-  std::vector<Slots> live;
-  live.reserve(count + 1);
-  for (const LocalEffect& effect : effects) live.push_back(effect.read);
-  while (!open.empty()) {
-    const size_t position = open.back();
-    open.pop_back();
-    for (const size_t previous : before[position]) {
-      const Slots more = live[previous] | (live[position] & ~effects[previous].written);
-      if (more == live[previous]) continue;
-      live[previous] = more;
-      open.push_back(previous);
-    }
-  }
-  live.emplace_back();
-  for (Slots& slots : live) slots = known & ~slots & ~thread.named;
-  return live;
+  std::vector<LocalSlots> dead = LiveLocals(uses);
+  dead.emplace_back();
+  for (LocalSlots& slots : dead) slots = known & ~slots & ~thread.named;
+  return dead;
 }
 
 void DeadLocals::LookAt(const Row& row, size_t place) {
@@ -139,7 +102,7 @@ uint32_t DeadLocals::WithoutDead(const OfThread& thread, uint32_t number) const 
   // What it waits for may be a local. A thread that has failed is shown as it is.
   if (all.state.waiting || (!runs && all.state.run != vm::ThreadRun::kStopped)) return number;
   const size_t position = runs ? all.state.pc : thread.dead.size() - 1;
-  const Slots& dead = thread.dead[std::min(position, thread.dead.size() - 1)];
+  const LocalSlots& dead = thread.dead[std::min(position, thread.dead.size() - 1)];
   std::vector<int64_t> page = all.page;
   for (size_t slot = 0; slot < page.size(); ++slot) {
     if (dead[slot]) page[slot] = 0;

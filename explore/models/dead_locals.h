@@ -9,14 +9,13 @@
 // Deterministic; not thread-safe. Tested by tests/explore/dead_locals_test.cc.
 #pragma once
 
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "explore/models/card_model.h"
 #include "explore/models/card_steps.h"
-#include "vm/machine.h"
+#include "explore/models/live_locals.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
@@ -39,19 +38,17 @@ class DeadLocals {
   void Forget(size_t place, Row* row);
 
  private:
-  using Slots = std::bitset<vm::kSlotCount>;
-
   struct OfThread {
     size_t function = 0;
     uint8_t page = 0;
-    Slots named;
+    LocalSlots named;
     /// Of each statement: its command has been seen not to write its outputs.
     std::vector<bool> unsure;
-    std::vector<Slots> dead;          ///< before each statement, and behind the last one
+    std::vector<LocalSlots> dead;     ///< before each statement, and behind the last one
     std::vector<uint32_t> forgotten;  ///< by the number of a thread: that without dead locals
   };
 
-  std::vector<Slots> DeadIn(const OfThread& thread) const;
+  std::vector<LocalSlots> DeadIn(const OfThread& thread) const;
   uint32_t WithoutDead(const OfThread& thread, uint32_t number) const;
 
   const vm::Object& object_;

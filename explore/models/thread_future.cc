@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <variant>
 
+#include "explore/models/live_locals.h"
 #include "vm/object.h"
+#include "vm/operand_slots.h"
 
 namespace oncard::explore {
 namespace {
@@ -17,54 +18,30 @@ using Slots = std::vector<uint32_t>;  ///< in order
 
 constexpr uint64_t BitOf(uint32_t cell) { return uint64_t{1} << cell % 64; }
 
-Slots UnionOfSlots(const Slots& a, const Slots& b) {
-  Slots both;
-  std::ranges::set_union(a, b, std::back_inserter(both));
-  return both;
-}
-
-Slots Sorted(Slots slots) {
-  std::ranges::sort(slots);
+Slots SlotsOf(const LocalSlots& locals) {
+  Slots slots;
+  for (uint32_t slot = 0; slot < locals.size(); ++slot) {
+    if (locals[slot]) slots.push_back(slot);
+  }
   return slots;
 }
 
 /// What one statement does.
 struct Effect {
   AccessBits accesses;
-  Slots used;                    ///< locals that it reads
-  int64_t set = -1;              ///< the local that it always writes; -1 if there is none
+  LocalUse locals;
   std::array<size_t, 2> next{};  ///< statements that can follow; the number of all for the end
 
-  void Read(const vm::Variable& variable) {
-    if (variable.storage == vm::Storage::kGlobal) {
-      accesses.reads |= BitOf(variable.id);
-    } else {
-      used.push_back(variable.id);
-    }
-  }
   void Read(const vm::Operand& operand) {
-    if (const auto* variable = std::get_if<vm::Variable>(&operand)) Read(*variable);
-    const auto* element = std::get_if<vm::Element>(&operand);
-    if (element == nullptr) return;
-    Read(element->index);
-    for (uint32_t i = 0; i < element->size; ++i) {
-      Read(vm::Variable{element->storage, static_cast<uint16_t>(element->base + i)});
-    }
+    vm::ForEachNamedSlot(operand, vm::Storage::kGlobal,
+                         [&](uint32_t slot) { accesses.reads |= BitOf(slot); });
+    AddNamedLocals(operand, &locals.read);
   }
   void Write(const vm::Operand& operand) {
-    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
-      if (variable->storage == vm::Storage::kGlobal) {
-        accesses.writes |= BitOf(variable->id);
-      } else {
-        set = variable->id;
-      }
-    }
-    const auto* element = std::get_if<vm::Element>(&operand);
-    if (element == nullptr) return;
-    Read(element->index);
-    for (uint32_t i = 0; i < element->size && element->storage == vm::Storage::kGlobal; ++i) {
-      accesses.writes |= BitOf(element->base + i);
-    }
+    vm::ForEachSlot(operand, vm::Storage::kGlobal,
+                    [&](uint32_t slot) { accesses.writes |= BitOf(slot); });
+    if (std::holds_alternative<vm::Variable>(operand)) AddOwnLocals(operand, &locals.written);
+    if (const vm::Variable* index = vm::IndexVariableOf(operand)) Read(*index);
   }
 };
 
@@ -80,8 +57,9 @@ Effect EffectOf(const vm::Instruction& instruction, size_t position, size_t end)
     const auto target = static_cast<int64_t>(position) + instruction.displacement;
     effect.next[1] = std::min(static_cast<size_t>(target), end);
   }
-  std::ranges::sort(effect.used);
-  effect.used.erase(std::unique(effect.used.begin(), effect.used.end()), effect.used.end());
+  for (const size_t next : effect.next) {
+    if (next < end) effect.locals.next.push_back(next);
+  }
   return effect;
 }
 
@@ -104,29 +82,25 @@ ThreadFuture::ThreadFuture(const Model& model, int thread) {
     effects.push_back(EffectOf(instructions[i], i, end));
     model.ForEachCheck(thread, i, [&effect = effects.back()](const StatementCheck& check) {
       for (const uint32_t cell : check.globals) effect.accesses.reads |= BitOf(cell);
-      effect.used = UnionOfSlots(effect.used, Sorted(check.locals));
+      for (const uint32_t slot : check.locals) effect.locals.read.set(slot);
     });
   }
-  if (locals * end > kLocalsMax) {
-    for (Effect& effect : effects) effect.used.clear();
-    for (uint32_t slot = 0; slot < locals; ++slot) all_.push_back(slot);
-  }
   at_.resize(end + 1);
+  if (locals * end > kLocalsMax) {
+    for (uint32_t slot = 0; slot < locals; ++slot) all_.push_back(slot);
+  } else {
+    std::vector<LocalUse> uses;
+    for (const Effect& effect : effects) uses.push_back(effect.locals);
+    const std::vector<LocalSlots> live = LiveLocals(uses);
+    for (size_t i = 0; i < end; ++i) at_[i].locals = SlotsOf(live[i]);
+  }
   for (bool grows = true; grows;) {
     grows = false;
     for (size_t i = end; i-- > 0;) {
-      const Effect& effect = effects[i];
-      Place before = {effect.accesses, {}};
-      for (const size_t next : effect.next) {
-        before.accesses.Add(at_[next].accesses);
-        before.locals = UnionOfSlots(before.locals, at_[next].locals);
-      }
-      if (effect.set >= 0) std::erase(before.locals, static_cast<uint32_t>(effect.set));
-      before.locals = UnionOfSlots(before.locals, effect.used);
-      grows = grows || before.accesses.reads != at_[i].accesses.reads ||
-              before.accesses.writes != at_[i].accesses.writes ||
-              before.locals.size() != at_[i].locals.size();
-      at_[i] = std::move(before);
+      AccessBits before = effects[i].accesses;
+      for (const size_t next : effects[i].next) before.Add(at_[next].accesses);
+      grows = grows || before != at_[i].accesses;
+      at_[i].accesses = before;
     }
   }
 }

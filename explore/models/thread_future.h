@@ -17,6 +17,7 @@ namespace oncard::explore {
 struct AccessBits {
   uint64_t reads = 0;
   uint64_t writes = 0;
+  bool operator==(const AccessBits&) const = default;
 
   void Add(const AccessBits& other) {
     reads |= other.reads;

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "runtime/observe/step_log.h"
+#include "vm/operand_slots.h"
 
 namespace oncard::runtime {
 namespace {
@@ -358,19 +359,10 @@ const Touched* FindDependence(const StatementAccess& one, const StatementAccess&
 std::vector<bool> AwaitedGlobals(const vm::Object& object, const gtcalls::Catalogue& catalogue) {
   std::vector<bool> slots;
   const auto add = [&](const vm::Operand& operand) {
-    size_t begin = 0;
-    size_t end = 0;
-    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
-      if (variable->storage != vm::Storage::kGlobal) return;
-      begin = variable->id;
-      end = begin + 1;
-    } else if (const auto* element = std::get_if<vm::Element>(&operand)) {
-      if (element->storage != vm::Storage::kGlobal) return;
-      begin = element->base;
-      end = begin + element->size;
-    }
-    if (slots.size() < end) slots.resize(end);
-    for (size_t slot = begin; slot < end; ++slot) slots[slot] = true;
+    vm::ForEachSlot(operand, vm::Storage::kGlobal, [&](uint32_t slot) {
+      if (slots.size() <= slot) slots.resize(size_t{slot} + 1);
+      slots[slot] = true;
+    });
   };
   for (const vm::Function& function : object.functions) {
     for (const vm::Instruction& instruction : function.instructions) {
