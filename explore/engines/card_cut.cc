@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "explore/models/card_ends.h"
 #include "explore/models/key_set.h"
 
 namespace oncard::explore {
@@ -17,16 +18,15 @@ class Cutting {
   CardCut Run(size_t enough) {
     Enter(model_.Start(), -1, 0);
     while (!waiting_.empty() && !cut_.fails && starts() < enough) {
-      const Before before = {cut_.counts, cut_.ends, waiting_, globals_.size(), full_.size()};
+      const Before before = {cut_.counts, waiting_, ends_.shown(), ends_.by_globals(), ends_.all()};
       if (TakeCycle()) continue;
       // What a part of a cycle has found is found again.
       cut_.counts = before.counts;
-      cut_.ends = before.ends;
       waiting_ = before.waiting;
-      Finish(before.globals, before.full);
+      Finish(before.ends, before.globals, before.full);
       return std::move(cut_);
     }
-    Finish(globals_.size(), full_.size());
+    Finish(ends_.shown(), ends_.by_globals(), ends_.all());
     return std::move(cut_);
   }
 
@@ -44,8 +44,8 @@ class Cutting {
   };
   struct Before {
     StateCounts counts;
-    EndSet ends;
     Waiting waiting;
+    EndSet ends;
     int64_t globals = 0;
     int64_t full = 0;
   };
@@ -91,11 +91,7 @@ class Cutting {
     if (!added) return;
     const auto node = static_cast<int64_t>(nodes_.size());
     nodes_.push_back({before, thread});
-    if (state.finished) {
-      globals_.Insert(model_.GlobalsKey(state));
-      const bool new_end = full_.Insert(model_.FinalKey(state));
-      if (new_end && model_.asks_nothing()) cut_.ends.Add(EndOf(model_, state));
-    }
+    if (state.finished) ends_.Add(model_, state);
     if (state.fault) {
       ++cut_.counts.bad_states;
       cut_.fails = true;
@@ -109,7 +105,8 @@ class Cutting {
     }
   }
 
-  void Finish(int64_t globals, int64_t full) {
+  void Finish(const EndSet& ends, int64_t globals, int64_t full) {
+    cut_.ends = ends;
     cut_.counts.final_globals = globals;
     cut_.counts.final_full = full;
     cut_.counts.complete = !stopped_;
@@ -128,8 +125,7 @@ class Cutting {
   Waiting waiting_;
   std::vector<Node> nodes_;
   KeySet numbers_;
-  KeySet globals_;
-  KeySet full_;
+  CardEnds ends_;
   bool stopped_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <utility>
 
+#include "explore/models/card_ends.h"
 #include "explore/models/card_steps.h"
 #include "explore/models/key_set.h"
 #include "explore/models/whole_states.h"
@@ -64,12 +65,7 @@ class CardSearch {
     uint32_t flags = 0;
     const bool ended = states_.Ended(state);
     if (ended) flags |= kTerminal;
-    if (state.finished) {
-      const CardModel::State& program = states_.Program(state);
-      globals_.Insert(model_.GlobalsKey(program));
-      const bool new_end = full_.Insert(model_.FinalKey(program));
-      if (new_end && model_.asks_nothing()) result_.ends.Add(EndOf(model_, program));
-    }
+    if (state.finished) ends_.Add(model_, states_.Program(state));
     if (state.fault) {
       flags |= kBad;
       ++result_.bad_states;
@@ -82,8 +78,9 @@ class CardSearch {
 
   CardGraph Finish(bool complete) {
     result_.graph.complete = complete;
-    result_.final_globals = globals_.size();
-    result_.final_full = full_.size();
+    result_.final_globals = ends_.by_globals();
+    result_.final_full = ends_.all();
+    result_.ends = ends_.shown();
     const auto earliest = std::ranges::min_element(
         waiting_, {}, [&](const auto& entry) { return states_.CycleOf(entry.second); });
     if (earliest != waiting_.end()) result_.open = states_.Whole(earliest->second);
@@ -96,8 +93,7 @@ class CardSearch {
   CardGraph result_;
   std::deque<std::pair<uint32_t, State>> waiting_;
   KeySet numbers_;
-  KeySet globals_;
-  KeySet full_;
+  CardEnds ends_;
   uint32_t first_bad_ = StateGraph::kNone;  ///< the first bad state
 };
 

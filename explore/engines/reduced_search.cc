@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "explore/models/card_ends.h"
 #include "explore/models/card_steps.h"
 #include "explore/models/cycle_accesses.h"
 #include "explore/models/dead_locals.h"
@@ -237,8 +238,9 @@ class LayeredSearch {
       known = SearchAll();
     }
     if (!rows_.exact()) return std::nullopt;
-    result_.final_globals = globals_.size();
-    result_.final_full = full_.size();
+    result_.final_globals = ends_.by_globals();
+    result_.final_full = ends_.all();
+    result_.ends = ends_.shown();
     return std::move(result_);
   }
 
@@ -275,8 +277,7 @@ class LayeredSearch {
     result_ = {};
     starts_.clear();
     layers_.clear();
-    globals_ = KeySet();
-    full_ = KeySet();
+    ends_ = CardEnds();
     Row first = rows_.Start();
     WithinCycle(&rows_, &reductions_, limits_, &result_.counts).ForgetBudget(&first);
     if (first.fault) result_.fails = true;
@@ -321,12 +322,7 @@ class LayeredSearch {
 
   /// A good state at the start of a cycle, or at the end of a run.
   void Enter(Row row, uint32_t before) {
-    if (row.finished) {
-      const CardModel::State program = rows_.Program(row);
-      globals_.Insert(model_.GlobalsKey(program));
-      const bool new_end = full_.Insert(model_.FinalKey(program));
-      if (new_end && model_.asks_nothing()) result_.ends.Add(EndOf(model_, program));
-    }
+    if (row.finished) ends_.Add(model_, rows_.Program(row));
     if (rows_.Ended(row)) return;
     Layer& layer = layers_[rows_.CycleOf(row)];
     const StateKey key = CardRows::KeyOf(row);
@@ -372,8 +368,7 @@ class LayeredSearch {
   ReducedSearch result_;
   std::vector<Start> starts_;
   std::map<int64_t, Layer> layers_;  ///< by their cycles
-  KeySet globals_;                   ///< at the ends of runs
-  KeySet full_;
+  CardEnds ends_;
 };
 
 }  // namespace
