@@ -9,7 +9,7 @@ using Kind = Parser::token;
 
 }  // namespace
 
-bool IsTypeWord(int kind) {
+bool NamesType(int kind) {
   switch (kind) {
     case Kind::kInt:
     case Kind::kLong:
@@ -21,15 +21,23 @@ bool IsTypeWord(int kind) {
     case Kind::kChar:
     case Kind::kFloat:
     case Kind::kBool:
+    case Kind::kStructureName:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool IsTypeWord(int kind) {
+  switch (kind) {
     case Kind::kStatic:
     case Kind::kConst:
     case Kind::kExtern:
     case Kind::kTypedef:
     case Kind::kQualifier:
-    case Kind::kStructureName:
       return true;
     default:
-      return false;
+      return NamesType(kind);
   }
 }
 

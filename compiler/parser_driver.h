@@ -132,6 +132,8 @@ class ParserDriver {
   std::unordered_set<std::string_view> skipped_names_;
 };
 
+/// Whether a word alone names a type.
+bool NamesType(int kind);
 /// Whether a word can be part of a type.
 bool IsTypeWord(int kind);
 

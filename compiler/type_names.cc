@@ -2,6 +2,7 @@
 
 #include "compiler/header_types.h"
 #include "compiler/parser.hh"
+#include "compiler/parser_driver.h"
 
 namespace oncard::compiler {
 namespace {
@@ -47,23 +48,7 @@ bool Marker::IsType(std::string_view name) const {
 
 // Whether a token is one behind which a declared name may follow, and no other type.
 bool Marker::EndsType(size_t i) const {
-  switch (KindAt(i)) {
-    case Kind::kInt:
-    case Kind::kLong:
-    case Kind::kShort:
-    case Kind::kVoid:
-    case Kind::kDouble:
-    case Kind::kUnsigned:
-    case Kind::kSigned:
-    case Kind::kChar:
-    case Kind::kFloat:
-    case Kind::kBool:
-    case Kind::kStructureName:
-    case Kind::kCloseBrace:
-      return true;
-    default:
-      return false;
-  }
+  return NamesType(KindAt(i)) || KindAt(i) == Kind::kCloseBrace;
 }
 
 // Whether the name at a place is one that a typedef declares.
