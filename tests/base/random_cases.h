@@ -35,6 +35,14 @@ Number RandomCases(Number all) {
   return std::max<Number>(all * percent / 100, std::min<Number>(all, 3));
 }
 
+/// How many of the tried cases a test expects to have something that `least` of all have. Chance is
+/// larger among few: if fewer are tried than all, half of their share.
+template <typename Number>
+Number LeastOfCases(Number least) {
+  const auto percent = static_cast<Number>(PercentOfRandomCases());
+  return percent < 100 ? least * percent / 200 : least * percent / 100;
+}
+
 /// As RandomCases(), of cases that there are already.
 inline size_t RandomPart(size_t all) { return std::min(RandomCases(all), all); }
 

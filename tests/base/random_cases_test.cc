@@ -41,6 +41,15 @@ TEST_F(RandomCasesTest, AreThePercentageThatIsAskedFor) {
   EXPECT_EQ(RandomPart(250), 250u);
 }
 
+TEST_F(RandomCasesTest, OfFewOnlyHalfTheShareIsExpected) {
+  setenv(kName, "100", 1);
+  EXPECT_EQ(LeastOfCases(60), 60);
+  setenv(kName, "10", 1);
+  EXPECT_EQ(LeastOfCases(60), 3);
+  setenv(kName, "1000", 1);
+  EXPECT_EQ(LeastOfCases(60), 600);
+}
+
 TEST_F(RandomCasesTest, AreThreeAtLeast) {
   setenv(kName, "10", 1);
   EXPECT_EQ(RandomCases(12), 3);

@@ -125,15 +125,12 @@ TEST(ReductionsTest, MergedStatementsAnswerAsSingleOnes) {
       EXPECT_EQ(found.states->states, whole.states->states);
     }
     const auto merged = Explore(
-        problem,
-        {.engine = EngineKind::kStateful, .merge_private = true, .symmetry = seed % 2 == 0});
+        problem, {.engine = EngineKind::kStateful, .merge_private = true, .symmetry = false});
     if (merged.ok()) {
       ++merged_ones;
       ExpectSame(merged.value(), whole);
       EXPECT_EQ(merged.value().states->final_full, whole.states->final_full);
-      if (!merged.value().states->symmetric) {
-        EXPECT_EQ(merged.value().states->finals_within, whole.states->finals_within);
-      }
+      EXPECT_EQ(merged.value().states->finals_within, whole.states->finals_within);
       // The last statements before a race are not merged.
       const bool races = whole.failure && whole.failure->fault.kind == Fault::Kind::kRace;
       if (whole.failure && !whole.failure->livelock && !races) {
@@ -302,7 +299,7 @@ TEST(ReductionsTest, TracesWithWaitingLoopsAnswerAsStates) {
     }
     if (HasFailure()) return;
   }
-  EXPECT_GT(answered, programs / 4);
+  EXPECT_GT(answered, programs / (PercentOfRandomCases() < 100 ? 6 : 3));
   EXPECT_GT(endless, programs / 50);
 }
 
