@@ -14,25 +14,18 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Line 6 cannot be reached, as the condition in line 5 always holds.
-constexpr const char* kNeverFive =
-    "int x;\n"
-    "int t0() {\n"
-    "  int c;\n"
-    "  c = x != 5;\n"
-    "  if (c) goto E;\n"
-    "  x = 7;\n"
-    "E:\n"
-    "  return 0;\n"
-    "}\n"
-    "int t1() {\n"
-    "  x = 1;\n"
-    "  return 0;\n"
-    "}\n"
-    "//@ final: x == 1\n";
+/// Another thread sets x to 1.
+std::string BesideOne() {
+  return NeverFive() +
+         "int t1() {\n"
+         "  x = 1;\n"
+         "  return 0;\n"
+         "}\n"
+         "//@ final: x == 1\n";
+}
 
 TEST(CoverageTextTest, OfAProofLinesThatWereNotReachedCannotBe) {
-  const auto lines = DescribeCoverage(FindingsOf(kNeverFive, {}));
+  const auto lines = DescribeCoverage(FindingsOf(BesideOne(), {}));
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0].en,
             "t0: 3 of 4 lines reached, 1 of 2 ways of conditions; cannot be reached: 6; one way "
@@ -42,7 +35,7 @@ TEST(CoverageTextTest, OfAProofLinesThatWereNotReachedCannotBe) {
 }
 
 TEST(CoverageTextTest, OfRunsThatAreCutTheTimeIsSaid) {
-  Findings findings = FindingsOf(kNeverFive, {});
+  Findings findings = FindingsOf(BesideOne(), {});
   findings.exploration.horizon.at_ms = 60;
   const Message line = DescribeCoverage(findings).front();
   EXPECT_THAT(line.en, HasSubstr("; cannot be reached in this time: 6;"));
@@ -50,13 +43,13 @@ TEST(CoverageTextTest, OfRunsThatAreCutTheTimeIsSaid) {
 }
 
 TEST(CoverageTextTest, OfOtherVerdictsItIsNotSaid) {
-  const Findings tried = FindingsOf(kNeverFive, {.engine = EngineKind::kRandom, .runs = 100});
+  const Findings tried = FindingsOf(BesideOne(), {.engine = EngineKind::kRandom, .runs = 100});
   ASSERT_EQ(tried.exploration.verdict, Verdict::kPassed);
   EXPECT_THAT(DescribeCoverage(tried)[0].en, HasSubstr("; not noted as reached: 6;"));
 }
 
 TEST(CoverageTextTest, ASearchThatNotesNothingSaysSo) {
-  Findings findings = FindingsOf(kNeverFive, {});
+  Findings findings = FindingsOf(BesideOne(), {});
   findings.exploration.coverage = {};
   const auto lines = DescribeCoverage(findings);
   ASSERT_EQ(lines.size(), 1u);
@@ -66,9 +59,9 @@ TEST(CoverageTextTest, ASearchThatNotesNothingSaysSo) {
 
 TEST(CoverageTextTest, LinesOfTheSourceAreMarked) {
   using enum LineMark;
-  Findings findings = FindingsOf(kNeverFive, {});
+  Findings findings = FindingsOf(BesideOne(), {});
   EXPECT_TRUE(MarksOf(findings).empty());
-  findings.source = {kNeverFive};
+  findings.source = {BesideOne()};
   EXPECT_THAT(MarksOf(findings),
               testing::ElementsAre(kNone, kNone, kNone, kReached, kOneWay, kMissed, kNone, kReached,
                                    kNone, kNone, kReached, kReached, kNone, kNone, kNone));
@@ -78,7 +71,7 @@ TEST(CoverageTextTest, LinesOfTheSourceAreMarked) {
 }
 
 TEST(CoverageTextTest, ThePageAndTheJsonHaveIt) {
-  const Findings findings = FindingsOf(kNeverFive, {});
+  const Findings findings = FindingsOf(BesideOne(), {});
   EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<li>t0: 3 of 4 lines reached"));
   const auto json = nlohmann::json::parse(JsonReport(findings))["coverage"];
   ASSERT_EQ(json.size(), 2u);

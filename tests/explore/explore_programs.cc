@@ -85,6 +85,18 @@ std::string Increments(int threads, int times) {
   return source;
 }
 
+std::string NeverFive() {
+  return "int x;\n"
+         "int t0() {\n"
+         "  int c;\n"
+         "  c = x != 5;\n"
+         "  if (c) goto E;\n"
+         "  x = 7;\n"
+         "E:\n"
+         "  return 0;\n"
+         "}\n";
+}
+
 std::string Peterson(bool broken) {
   std::string source = "int f0, f1, turn, c;\n//@ final: c == 2\n";
   for (int own = 0; own < 2; ++own) {

@@ -38,6 +38,9 @@ Result<Findings> TryFindingsOf(const std::string& source, const std::string& key
 /// `threads` threads that each increment `x` `times` times, in three statements; x is 0 at first.
 std::string Increments(int threads, int times);
 
+/// A thread t0 whose line 6 cannot be reached while x is not 5, as its condition in line 5 holds.
+std::string NeverFive();
+
 /// Peterson's lock around an increment, with loops that wait. With `broken`, each thread gives the
 /// turn to itself, so that both can enter.
 std::string Peterson(bool broken);

@@ -52,24 +52,11 @@ std::vector<std::string> HeadingsOf(const std::string& page) {
   return headings;
 }
 
-/// Line 6 cannot be reached, and x is 9 in no state.
-constexpr const char* kProved =
-    "int x;\n"
-    "int t0() {\n"
-    "  int c;\n"
-    "  c = x != 5;\n"
-    "  if (c) goto E;\n"
-    "  x = 7;\n"
-    "E:\n"
-    "  return 0;\n"
-    "}\n"
-    "//@ final: x == 0\n"
-    "//@ never: x == 9 && x == 8\n";
-
 Findings Proved() {
-  Findings findings =
-      FindingsOf(kProved, {.engine = EngineKind::kStateful, .merge_private = false});
-  findings.source = {kProved};
+  // x is 9 in no state.
+  const std::string source = NeverFive() + "//@ final: x == 0\n//@ never: x == 9 && x == 8\n";
+  Findings findings = FindingsOf(source, {.engine = EngineKind::kStateful, .merge_private = false});
+  findings.source = {source};
   findings.repetition.command = "oncard explore program.c --engine=stateful";
   return findings;
 }
