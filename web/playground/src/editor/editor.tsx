@@ -1,5 +1,6 @@
 // The program: its files, its editor, and the compiler's messages under the text.
 
+import type { Description } from "@oncard/engine";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
@@ -181,6 +182,25 @@ function Breakpoints() {
   );
 }
 
+/** What the engine answers about a place in the editor, and where in its text; undefined if the text is
+ *  another one by then. */
+async function answered<Answer extends { range: Description["range"] }>(
+  asking: CodeEditor,
+  index: number,
+  ask: (line: number, column: number) => Promise<Answer | null>,
+): Promise<{ answer: Answer; from: number; to: number } | undefined> {
+  const { text } = asking;
+  const { line, column } = placeOfIndex(text, index);
+  const answer = await ask(line, column).catch(() => null);
+  if (!answer || text !== asking.text) return undefined;
+  const { range } = answer;
+  return {
+    answer,
+    from: indexOfPlace(text, range.line, range.column),
+    to: indexOfPlace(text, range.end_line, range.end_column),
+  };
+}
+
 // Every effect is a layout effect: what the page shows around the editor is in the editor, too, before
 // the next key is pressed. A breakpoint that came later would miss an edit, and stand at another line.
 function Code() {
@@ -203,30 +223,20 @@ function Code() {
         bench.wishStops(lines);
       },
       describe: async (index) => {
-        const { text } = created;
-        const { line, column } = placeOfIndex(text, index);
-        const found = await describe(line, column).catch(() => null);
-        if (!found || text !== created.text) return undefined;
-        const { range, markdown } = found;
-        return {
-          from: indexOfPlace(text, range.line, range.column),
-          to: indexOfPlace(text, range.end_line, range.end_column),
-          html: htmlOf(markdown),
-        };
+        const found = await answered(created, index, describe);
+        return found && { from: found.from, to: found.to, html: htmlOf(found.answer.markdown) };
       },
       complete: async (index) => {
-        const { text } = created;
-        const { line, column } = placeOfIndex(text, index);
-        const found = await complete(line, column).catch(() => undefined);
-        if (!found || text !== created.text) return undefined;
-        const { range, items } = found;
-        return {
-          from: indexOfPlace(text, range.line, range.column),
-          to: indexOfPlace(text, range.end_line, range.end_column),
-          words: items.map(({ documentation, ...word }) =>
-            documentation === undefined ? word : { ...word, html: htmlOf(documentation) },
-          ),
-        };
+        const found = await answered(created, index, complete);
+        return (
+          found && {
+            from: found.from,
+            to: found.to,
+            words: found.answer.items.map(({ documentation, ...word }) =>
+              documentation === undefined ? word : { ...word, html: htmlOf(documentation) },
+            ),
+          }
+        );
       },
     });
     editor = created;
