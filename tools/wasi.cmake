@@ -13,9 +13,8 @@ oncard_system_sources(file_sources
 list(APPEND sources ${system_sources} ${others} ${file_sources} main.cc system_wasi.cc)
 add_executable(oncard_cli_wasm ${sources})
 oncard_texts(oncard_cli_wasm new_templates.inc ${new_templates})
-# They can throw, but not catch: see system_wasi.cc.
-set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -fexceptions)
-set_target_properties(oncard_cli_wasm PROPERTIES OUTPUT_NAME oncard-cli SUFFIX .wasm UNITY_BUILD OFF)
+# It can throw, but not catch: see system_wasi.cc.
+set_target_properties(oncard_cli_wasm PROPERTIES OUTPUT_NAME oncard-cli SUFFIX .wasm ONCARD_THROWS ON)
 target_compile_definitions(oncard_cli_wasm PRIVATE
   ${definitions} CLI11_HAS_FILESYSTEM=0 _WASI_EMULATED_SIGNAL)
 target_compile_options(oncard_cli_wasm PRIVATE
