@@ -88,11 +88,9 @@ std::vector<Message> Reductions(const Exploration& exploration) {
   if (exploration.reduced) {
     lines.push_back(
         {"reduced: statements of a cycle that nobody notices were executed in one order; locals "
-         "that "
-         "are not read any more, and what is left of moves and stops that have ended, do not count",
-         "约简：周期内不影响任何线程和要求的语句只按一种次序执行；不再读取的局部变量以及已结束的运"
-         "动和"
-         "停止所留下的数据不计入状态"});
+         "that are not read any more, and what is left of ended moves and stops, do not count",
+         "约简：周期内不影响任何线程和要求的语句只按一种次序执行；不再读取的局部变量以及已结束的"
+         "运动和停止所留下的数据不计入状态"});
   }
   if (exploration.islands) {
     lines.push_back(
