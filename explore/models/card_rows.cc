@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -16,9 +17,15 @@ namespace {
 using runtime::BodyDivision;
 using vm::ThreadState;
 
-/// Without the zeros at the end.
+/// Without the zeros at the end, most of which are passed many at once.
 std::vector<int64_t> Trimmed(const std::array<int64_t, vm::kSlotCount>& slots) {
+  static constexpr std::array<int64_t, 128> kZeros{};
+  static_assert(vm::kSlotCount % kZeros.size() == 0);
   size_t count = slots.size();
+  while (count > 0 &&
+         std::memcmp(&slots[count - kZeros.size()], kZeros.data(), sizeof(kZeros)) == 0) {
+    count -= kZeros.size();
+  }
   while (count > 0 && slots[count - 1] == 0) --count;
   return {slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count)};
 }

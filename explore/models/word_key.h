@@ -4,6 +4,7 @@
 
 #include <xxhash.h>
 
+#include <span>
 #include <vector>
 
 #include "explore/models/state_key.h"
@@ -13,9 +14,13 @@ namespace oncard::explore {
 /// Equal sequences have equal keys, and different ones have different keys for all practical
 /// purposes.
 template <typename Word>
-StateKey KeyOfWords(const std::vector<Word>& words) {
-  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size() * sizeof(Word));
+StateKey KeyOfWords(std::span<const Word> words) {
+  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size_bytes());
   return {hash.low64, hash.high64};
+}
+template <typename Word>
+StateKey KeyOfWords(const std::vector<Word>& words) {
+  return KeyOfWords(std::span(words));
 }
 
 }  // namespace oncard::explore

@@ -43,7 +43,7 @@ const std::string kJog =
 std::vector<uint64_t> ValuesOf(const CardBody& body, size_t part) {
   motion::StateWords words;
   BodyDivision(kAxes).AddValues(body, part, &words);
-  return words.words();
+  return {words.words().begin(), words.words().end()};
 }
 
 std::vector<size_t> Differences(const CardBody& one, const CardBody& other) {
