@@ -2,8 +2,10 @@
 // tests/explore/card_rows_test.cc.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <utility>
+#include <vector>
 
 #include "explore/models/key_set.h"
 #include "explore/models/state_key.h"
@@ -18,19 +20,29 @@ class ValueTable {
   uint32_t NumberOf(StateKey key, const Make& make) {
     bool added = false;
     const uint32_t number = keys_.FindOrAdd(key, &added);
-    if (added) values_.push_back(make());
+    if (added) Add(make());
     return number;
   }
   /// The value itself, which stays where it is.
   template <typename Make>
   const Value& Of(StateKey key, const Make& make) {
-    return values_[NumberOf(key, make)];
+    return (*this)[NumberOf(key, make)];
   }
-  const Value& operator[](uint32_t number) const { return values_[number]; }
+  const Value& operator[](uint32_t number) const {
+    return blocks_[number / kBlock][number % kBlock];
+  }
 
  private:
+  /// A power of two, so that a value is found without a division, as in a std::deque.
+  static constexpr size_t kBlock = 64;
+
+  void Add(Value value) {
+    if (blocks_.empty() || blocks_.back().size() == kBlock) blocks_.emplace_back().reserve(kBlock);
+    blocks_.back().push_back(std::move(value));
+  }
+
   KeySet keys_;
-  std::deque<Value> values_;
+  std::vector<std::vector<Value>> blocks_;
 };
 
 }  // namespace oncard::explore
