@@ -17,6 +17,8 @@ namespace {
 using runtime::BodyDivision;
 using vm::ThreadState;
 
+constexpr uint32_t kNotYet = ~uint32_t{0};
+
 /// Without the zeros at the end, most of which are passed many at once.
 std::vector<int64_t> Trimmed(const std::array<int64_t, vm::kSlotCount>& slots) {
   static constexpr std::array<int64_t, 128> kZeros{};
@@ -194,6 +196,19 @@ void CardRows::SetProgress(Progress progress, Row* row) {
   for (const runtime::Owed& owed : progress.owed) key_.push_back(owed.pending ? owed.due_ns : -1);
   row->parts.resize(thread_count() + 3);
   row->parts.back() = progresses_.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
+}
+
+void CardRows::NoteStatement(size_t place, Row* row) {
+  const size_t at = size_t{row->parts.back()} * thread_count() + place;
+  if (at >= progresses_after_.size()) progresses_after_.resize(2 * at + 1, kNotYet);
+  if (progresses_after_[at] == kNotYet) {
+    Progress progress = ProgressOf(*row);
+    --progress.left;
+    progress.served |= 1u << NumberOnCard(place);
+    SetProgress(std::move(progress), row);
+    progresses_after_[at] = row->parts.back();
+  }
+  row->parts.back() = progresses_after_[at];
 }
 
 // --- Between rows and the card -------------------------------------------------------------------

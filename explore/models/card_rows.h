@@ -114,6 +114,8 @@ class CardRows {
   void SetBodyParts(const std::vector<std::pair<size_t, uint32_t>>& parts, Row* row);
   void WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row);
   void SetProgress(Progress progress, Row* row);
+  /// A thread has executed a statement of the cycle.
+  void NoteStatement(size_t place, Row* row);
 
   // --- Between rows and the card ---------------------------------------------------------------
 
@@ -159,6 +161,8 @@ class CardRows {
   std::vector<ValueTable<BodyPart>> body_parts_;
   ValueTable<Body> bodies_;
   ValueTable<Progress> progresses_;
+  /// By the number of a progress and the place of a thread: what it is after a statement.
+  std::vector<uint32_t> progresses_after_;
   ValueTable<runtime::Supervisor::HistoryPointer> histories_;
 
   std::unique_ptr<vm::MachineState> machine_;  ///< large

@@ -34,6 +34,11 @@ CardSteps::CardSteps(CardModel* model)
     AddNames(bound.condition, &names);
     if (bound.then) AddNames(*bound.then, &names);
     if (bound.matters) AddNames(*bound.matters, &names);
+    const Scope scope = bound.requirement.scope;
+    if (scope == Scope::kFinal) continue;
+    watches_time_ = watches_time_ || bound.then || scope == Scope::kEventually;
+    AddNames(bound.condition, &watched_);
+    if (bound.matters) AddNames(*bound.matters, &watched_);
   }
   for (const runtime::CardCondition& condition :
        runtime::ConditionsOfReactions(model->scenario_.world, card_)) {
@@ -149,14 +154,23 @@ CardSteps::Row CardSteps::Step(const Row& from, int thread) {
   if (statement.history) row.history = *statement.history;
   if (!statement.globals.empty()) WriteGlobals(statement.globals, &row);
   if (!statement.body.empty()) SetBodyParts(statement.body, &row);
-  Progress progress = ProgressOf(from);
-  --progress.left;
-  progress.served |= 1u << NumberOnCard(place);
-  const bool known = !SomeoneFinishes(row) && (!model_.has_invariants_ || Judge(row, &progress)) &&
-                     Settle(&row, &progress);
+  NoteStatement(place, &row);
+  const bool judges = MayViolate(from, row);
+  const bool goes_on = ProgressOf(row).left > 0 && Runnable(row) != 0;
+  if (SomeoneFinishes(row)) return StepAlone(from, thread);
+  if (!judges && goes_on) return row;
+  Progress progress = ProgressOf(row);
+  const bool known = (!judges || Judge(row, &progress)) && Settle(&row, &progress);
   if (!known) return StepAlone(from, thread);
   SetProgress(std::move(progress), &row);
   return row;
+}
+
+bool CardSteps::MayViolate(const Row& before, const Row& after) const {
+  if (!model_.has_invariants_) return false;
+  return watches_time_ || watched_.threads ||
+         (watched_.globals && GlobalsNumber(before) != GlobalsNumber(after)) ||
+         (watched_.body && BodyNumber(before) != BodyNumber(after));
 }
 
 CardSteps::Row CardSteps::EndCycle(const Row& from) {

@@ -112,6 +112,8 @@ class CardSteps : public CardRows {
   bool Settle(Row* row, Progress* progress);
   bool NextCycle(Row* row, Progress* progress);
   bool Judge(const Row& row, Progress* progress);
+  /// False if a requirement on every state holds after a statement because it did before.
+  bool MayViolate(const Row& before, const Row& after) const;
 
   const Statement& StatementOf(const Row& row, size_t place);
   void AddToKey(const Row& row, const Instruction& instruction, const BodyAccess* access);
@@ -131,6 +133,8 @@ class CardSteps : public CardRows {
   bool watches_outputs_ = false;
   std::vector<std::vector<Instruction>> instructions_;  ///< by function and position
   std::vector<Names> names_;                            ///< of the requirements
+  Names watched_;                                       ///< of those on every state
+  bool watches_time_ = false;                           ///< one of them asks what came before
   Names reaction_names_;                                ///< of all reactions
 
   ValueTable<Statement> statements_;
