@@ -1,6 +1,7 @@
 #include "explore/engines/reduced_search.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 #include <utility>
@@ -31,10 +32,10 @@ struct Reductions {
   }
   /// What was taken for known when it began is wrong.
   bool grown() const { return accesses.grown() || locals.grown(); }
-  /// Looks at the next statement of a thread.
-  void LookAt(const Row& row, size_t place) {
-    accesses.LookAt(row, place);
+  /// Looks at the next statement of a thread, and returns the number of what it accesses.
+  uint32_t LookAt(const Row& row, size_t place) {
     locals.LookAt(row, place);
+    return accesses.LookAt(row, place);
   }
 };
 
@@ -46,8 +47,8 @@ class WithinCycle {
   WithinCycle(CardSteps* rows, Reductions* reductions, const StateLimits& limits,
               ReducedCounts* counts)
       : rows_(*rows),
+        reductions_(*reductions),
         accesses_(reductions->accesses),
-        locals_(reductions->locals),
         limits_(limits),
         counts_(*counts) {}
 
@@ -130,8 +131,7 @@ class WithinCycle {
     const uint32_t choices = ChoicesOf(state);
     for (uint32_t each = choices; each != 0; each &= each - 1) {
       const size_t place = rows_.PlaceOf(std::countr_zero(each));
-      accesses_.LookAt(state.row, place);
-      locals_.LookAt(state.row, place);
+      next_accesses_[place] = reductions_.LookAt(state.row, place);
     }
     const Unnoticed unnoticed = UnnoticedOf(state, choices);
     if (unnoticed.thread < 0) {
@@ -166,7 +166,7 @@ class WithinCycle {
     for (; choices != 0; choices &= choices - 1) {
       const int thread = std::countr_zero(choices);
       const size_t place = rows_.PlaceOf(thread);
-      if (!accesses_.NobodyNotices(state.row, place, state.frozen)) continue;
+      if (!accesses_.NobodyNotices(state.row, place, next_accesses_[place], state.frozen)) continue;
       if (!MayFreeze(state, place)) return {thread, false};
       if (found.thread < 0) found = {thread, true};
     }
@@ -195,7 +195,7 @@ class WithinCycle {
   bool Step(const Waiting& state, int thread, const Leave& leave) {
     Row next = rows_.Step(state.row, thread);
     ++counts_.transitions;
-    locals_.Forget(rows_.PlaceOf(thread), &next);
+    reductions_.locals.Forget(rows_.PlaceOf(thread), &next);
     if (rows_.Ended(next) || rows_.CycleOf(next) != rows_.CycleOf(state.row)) {
       return leave(std::move(next), state.number, thread);
     }
@@ -206,14 +206,16 @@ class WithinCycle {
   }
 
   CardSteps& rows_;
+  Reductions& reductions_;
   CycleAccesses& accesses_;
-  DeadLocals& locals_;
   const StateLimits& limits_;
   ReducedCounts& counts_;
   KeySet known_;
   std::vector<State> states_;  ///< by the numbers of their keys
   std::vector<Waiting> waiting_;
   std::vector<uint32_t> words_;
+  /// Of the threads that may execute the next statement, by their places.
+  std::array<uint32_t, vm::kThreadCount> next_accesses_{};
 };
 
 class LayeredSearch {

@@ -18,6 +18,8 @@ constexpr size_t kStatementsMax = 4096;
 
 /// The number of a statement with a command in CycleAccesses::by_code_.
 constexpr uint32_t kByCommand = ~uint32_t{0};
+/// What LookAt() returns behind the last statement.
+constexpr uint32_t kNothing = ~uint32_t{0};
 
 /// True if a command leaves threads and their data pages as they are, except that its own thread
 /// may wait.
@@ -194,10 +196,12 @@ uint32_t CycleAccesses::NextOf(const Row& row, size_t place) {
   });
 }
 
-void CycleAccesses::LookAt(const Row& row, size_t place) {
+uint32_t CycleAccesses::LookAt(const Row& row, size_t place) {
   const uint32_t position = rows_.ThreadOf(row, place).state.pc;
-  if (position >= by_code_[place].size()) return;
-  See(NextOf(row, place), &places_[place][position]);
+  if (position >= by_code_[place].size()) return kNothing;
+  const uint32_t access = NextOf(row, place);
+  See(access, &places_[place][position]);
+  return access;
 }
 
 bool CycleAccesses::Meets(uint32_t access, size_t place, size_t position) {
@@ -221,12 +225,10 @@ bool CycleAccesses::Meets(uint32_t access, size_t place, size_t position) {
   return meets != 0;
 }
 
-bool CycleAccesses::NobodyNotices(const Row& row, size_t place, uint32_t frozen) {
+bool CycleAccesses::NobodyNotices(const Row& row, size_t place, uint32_t access, uint32_t frozen) {
+  if (access == kNothing || accesses_[access].visible) return false;
   const vm::ThreadState& thread = rows_.ThreadOf(row, place).state;
-  if (thread.waiting || thread.pc >= by_code_[place].size()) return false;
-  if (places_[place][thread.pc].asserted) return false;
-  const uint32_t access = NextOf(row, place);
-  if (accesses_[access].visible) return false;
+  if (thread.waiting || places_[place][thread.pc].asserted) return false;
   for (size_t other = 0; other < rows_.thread_count(); ++other) {
     const bool silent = other == place || (frozen >> other & 1) != 0 || !Active(row, other);
     if (!silent && Meets(access, other, rows_.ThreadOf(row, other).state.pc)) return false;

@@ -44,13 +44,13 @@ class CycleAccesses {
   bool Active(const Row& row, size_t place) const;
   /// The most statements that it can execute in it.
   int64_t MostOf(const Row& row, size_t place) const;
-  /// Looks at the next statement of a thread that can execute it. Everything that a search executes
-  /// has to be looked at.
-  void LookAt(const Row& row, size_t place);
-  /// True if the next statement of a thread changes nothing that a requirement on every state
-  /// names, and does not depend on what other threads can still do in this cycle. Threads with
-  /// their bit in `frozen` do nothing more. LookAt() comes before.
-  bool NobodyNotices(const Row& row, size_t place, uint32_t frozen);
+  /// Looks at the next statement of a thread that can execute it, and returns the number of what it
+  /// accesses. Everything that a search executes has to be looked at.
+  uint32_t LookAt(const Row& row, size_t place);
+  /// True if the next statement of a thread, which has this `access`, changes nothing that a
+  /// requirement on every state names, and does not depend on what other threads can still do in
+  /// this cycle. Threads with their bit in `frozen` do nothing more.
+  bool NobodyNotices(const Row& row, size_t place, uint32_t access, uint32_t frozen);
 
  private:
   /// Of a position in the function of a thread.
