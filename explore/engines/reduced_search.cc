@@ -52,6 +52,13 @@ class WithinCycle {
         limits_(limits),
         counts_(*counts) {}
 
+  /// Another cycle begins. What this needs of memory is kept for it, except for large tables.
+  void Begin() {
+    known_ = KeySet();
+    states_.clear();
+    waiting_.clear();
+  }
+
   /// Searches from a start with a number. For each state behind the cycle `leave(row, from,
   /// thread)` is called, with the number of the state in which the thread executed the last
   /// statement; it returns false to end the search. False: it has been ended, or a limit was
@@ -281,7 +288,7 @@ class LayeredSearch {
     layers_.clear();
     ends_ = CardEnds();
     Row first = rows_.Start();
-    WithinCycle(&rows_, &reductions_, limits_, &result_.counts).ForgetBudget(&first);
+    cycle_.ForgetBudget(&first);
     if (first.fault) result_.fails = true;
     if (!first.fault) Enter(std::move(first), kNone);
     while (!layers_.empty() && !result_.fails) {
@@ -301,23 +308,23 @@ class LayeredSearch {
   /// Searches a cycle. Returns a start of which not everything was searched; nullptr: there is
   /// none, or a run fails.
   const Row* SearchLayer(const Layer& layer) {
-    WithinCycle cycle(&rows_, &reductions_, limits_, &result_.counts);
+    cycle_.Begin();
     for (const auto& [number, row] : layer.starts) {
       const auto leave = [&](Row next, uint32_t from, int thread) {
-        const uint32_t start = cycle.StartOf(from);
+        const uint32_t start = cycle_.StartOf(from);
         if (next.fault) {
           result_.fails = true;
           result_.failing = WayTo(start);
-          std::vector<uint8_t> rest = cycle.WayTo(from);
+          std::vector<uint8_t> rest = cycle_.WayTo(from);
           result_.failing.insert(result_.failing.end(), rest.begin(), rest.end());
           result_.failing.push_back(static_cast<uint8_t>(thread));
           return false;
         }
-        cycle.ForgetBudget(&next);
+        cycle_.ForgetBudget(&next);
         Enter(std::move(next), start);
         return true;
       };
-      if (!cycle.SearchFrom(number, row, leave)) return result_.fails ? nullptr : &row;
+      if (!cycle_.SearchFrom(number, row, leave)) return result_.fails ? nullptr : &row;
     }
     return nullptr;
   }
@@ -368,6 +375,7 @@ class LayeredSearch {
   Reductions reductions_;
   const StateLimits& limits_;
   ReducedSearch result_;
+  WithinCycle cycle_{&rows_, &reductions_, limits_, &result_.counts};
   std::vector<Start> starts_;
   std::map<int64_t, Layer> layers_;  ///< by their cycles
   CardEnds ends_;
