@@ -90,6 +90,7 @@ ThreadFuture::ThreadFuture(const Model& model, int thread) {
     for (uint32_t slot = 0; slot < locals; ++slot) all_.push_back(slot);
   } else {
     std::vector<LocalUse> uses;
+    uses.reserve(effects.size());
     for (const Effect& effect : effects) uses.push_back(effect.locals);
     const std::vector<LocalSlots> live = LiveLocals(uses);
     for (size_t i = 0; i < end; ++i) at_[i].locals = SlotsOf(live[i]);
