@@ -18,14 +18,6 @@ int64_t Product(const std::vector<int64_t>& dimensions, size_t from) {
                          int64_t{1}, [](int64_t a, int64_t b) { return a * b; });
 }
 
-// The level of what begins at a position among the elements of an array: the outermost row, or,
-// past all levels, an element.
-size_t LevelAt(int64_t position, const std::vector<int64_t>& dimensions, size_t outer) {
-  size_t level = outer + 1;
-  while (position % Product(dimensions, level) != 0) ++level;
-  return level;
-}
-
 }  // namespace
 
 // The value of a number, which may have braces; nullptr: 0, or an error.
@@ -44,30 +36,60 @@ const Expression* Lowerer::ScalarValue(const Expression& value) {
   return nullptr;
 }
 
+int64_t Lowerer::Width(const Shape& shape) {
+  const int64_t values = shape.type.structure != nullptr
+                             ? static_cast<int64_t>(shape.type.structure->members.size())
+                             : 1;
+  return Product(shape.dimensions, 0) * values;
+}
+
+// A row of an array, or a member of a structure.
+Lowerer::Part Lowerer::PartOf(const Shape& whole, int64_t number) const {
+  Part part;
+  if (!whole.dimensions.empty()) {
+    part.shape = {whole.type, {whole.dimensions.begin() + 1, whole.dimensions.end()}};
+    part.begin = number * Width(part.shape);
+  } else {
+    part.shape.type.basic = MemberType(whole.type.structure->members[static_cast<size_t>(number)]);
+    part.begin = number;
+  }
+  return part;
+}
+
+// The outermost part of an aggregate that begins at a value of it.
+Shape Lowerer::PartAt(const Shape& whole, int64_t position) const {
+  Part part = {whole, 0};
+  do {
+    const int64_t row = part.shape.dimensions.empty() ? 1 : Width(PartOf(part.shape, 0).shape);
+    part = PartOf(part.shape, position / row);
+    position -= part.begin;
+  } while (position != 0);
+  return part.shape;
+}
+
+bool Lowerer::IsAggregate(const Shape& shape) {
+  return !shape.dimensions.empty() || shape.type.basic == BasicType::kStructure;
+}
+
 // Where a designator leads from the beginning of a row or a structure; nullopt, with a report, if
 // there is no such place.
 std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designator,
-                                                       const Aggregate& whole, size_t level) {
-  if (whole.structure != nullptr || !designator.text.empty()) {
-    const gtcalls::Structure* const structure = level == 0 ? whole.structure : nullptr;
-    for (size_t i = 0; structure != nullptr && i < structure->members.size(); ++i) {
-      if (structure->members[i].name == designator.text) {
-        const int64_t place = static_cast<int64_t>(i);
-        return Designation{place, place};
-      }
-    }
-    Report(Code::kNoMember, designator.op_range,
-           structure != nullptr ? std::string(structure->name) : std::string(whole.name),
+                                                       const Shape& whole, std::string_view name) {
+  const bool is_structure = whole.dimensions.empty() && whole.type.basic == BasicType::kStructure;
+  if (is_structure || !designator.text.empty()) {
+    const std::optional<int64_t> member =
+        is_structure ? MemberNumber(whole.type, designator.text) : std::nullopt;
+    if (member) return Designation{*member, *member};
+    Report(Code::kNoMember, designator.op_range, is_structure ? NameOfStructure(whole.type) : name,
            Source(designator.op_range));
     return std::nullopt;
   }
-  if (level == whole.dimensions.size()) {
+  if (whole.dimensions.empty()) {
     Report(Code::kTooManyValues, designator.range, int64_t{1});
     return std::nullopt;
   }
   // An array without a size has at most all slots.
-  const int64_t size =
-      whole.dimensions[level] > 0 ? whole.dimensions[level] : int64_t{vm::kSlotCount};
+  const int64_t size = whole.dimensions[0] > 0 ? whole.dimensions[0] : int64_t{vm::kSlotCount};
   Designation result;
   for (size_t i = 1; i < designator.operands.size(); ++i) {
     const Expression& index = *designator.operands[i];
@@ -77,7 +99,7 @@ std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designa
       return std::nullopt;
     }
     if (*value < 0 || *value >= size || (i > 1 && *value < result.first)) {
-      Report(Code::kIndexOutOfBounds, index.range, *value, whole.name, size - 1);
+      Report(Code::kIndexOutOfBounds, index.range, *value, name, size - 1);
       return std::nullopt;
     }
     if (i == 1) result.first = *value;
@@ -92,65 +114,70 @@ std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designa
   return result;
 }
 
+// The part that begins at a value of an aggregate, or within it, for which an item is: the
+// outermost one if it has braces, otherwise a number.
+Shape Lowerer::PartFor(const Expression& item, Shape part) const {
+  if (item.kind == Expression::Kind::kBraces) return part;
+  while (IsAggregate(part)) part = PartOf(part, 0).shape;
+  return part;
+}
+
 // The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
 // braces hold the row or the element that begins there; without them the values continue from row
 // to row, and after a designator from its place.
-bool Lowerer::Flatten(const Expression& braces, const Aggregate& whole, size_t level, int64_t base,
-                      Elements& elements) {
-  const int64_t size = Product(whole.dimensions, level);  // 0: as many as there are
+bool Lowerer::Flatten(const Expression& braces, const Shape& whole, int64_t base,
+                      Filling& filling) {
+  const int64_t size = Width(whole);  // 0: as many as there are
   int64_t position = 0;
   for (const ExpressionPtr& item : braces.operands) {
     if (item->kind == Expression::Kind::kDesignated) {
-      if (!FlattenDesignated(*item, whole, level, base, elements, &position)) return false;
+      if (!FlattenDesignated(*item, whole, base, filling, &position)) return false;
       continue;
     }
     if (size > 0 && position >= size) {
       Report(Code::kTooManyValues, item->range, size);
       return false;
     }
-    const size_t begun = item->kind == Expression::Kind::kBraces
-                             ? LevelAt(position, whole.dimensions, level)
-                             : whole.dimensions.size();
-    if (!FlattenItem(*item, whole, begun, base + position, elements)) return false;
-    position += Product(whole.dimensions, begun);
+    const Shape part = PartFor(*item, PartAt(whole, position));
+    if (!FlattenItem(*item, part, base + position, filling)) return false;
+    position += Width(part);
   }
   return true;
 }
 
 // The value of an element, or the braces of a row, which replace what was there.
-bool Lowerer::FlattenItem(const Expression& item, const Aggregate& whole, size_t level,
-                          int64_t position, Elements& elements) {
+bool Lowerer::FlattenItem(const Expression& item, const Shape& part, int64_t position,
+                          Filling& filling) {
+  Elements& elements = filling.elements;
   const size_t begin = static_cast<size_t>(position);
-  const size_t end = begin + static_cast<size_t>(Product(whole.dimensions, level));
+  const size_t end = begin + static_cast<size_t>(Width(part));
   if (elements.size() <= begin) elements.resize(begin + 1, nullptr);
   std::fill(elements.begin() + static_cast<std::ptrdiff_t>(std::min(begin, elements.size())),
             elements.begin() + static_cast<std::ptrdiff_t>(std::min(end, elements.size())),
             nullptr);
-  if (level < whole.dimensions.size()) return Flatten(item, whole, level, position, elements);
+  if (IsAggregate(part)) return Flatten(item, part, position, filling);
   elements[begin] = ScalarValue(item);
   return true;
 }
 
-// `[1] = value` within a row of a level that begins at `base`; `position` becomes the place after
-// it.
-bool Lowerer::FlattenDesignated(const Expression& item, const Aggregate& whole, size_t level,
-                                int64_t base, Elements& elements, int64_t* position) {
-  const std::optional<Designation> place = Designate(item, whole, level);
+// `[1] = value` within an aggregate that begins at `base`; `position` becomes the place after it.
+bool Lowerer::FlattenDesignated(const Expression& item, const Shape& whole, int64_t base,
+                                Filling& filling, int64_t* position) {
+  const std::optional<Designation> place = Designate(item, whole, filling.name);
   if (!place) return false;
   const Expression& value = *item.operands[0];
-  const int64_t width = Product(whole.dimensions, level + 1);
   for (int64_t i = place->first; i <= place->last; ++i) {
-    const int64_t begin = base + i * width;
+    const Part designated = PartOf(whole, i);
+    const int64_t begin = base + designated.begin;
     int64_t within = 0;
     if (value.kind == Expression::Kind::kDesignated) {
-      if (!FlattenDesignated(value, whole, level + 1, begin, elements, &within)) return false;
+      if (!FlattenDesignated(value, designated.shape, begin, filling, &within)) return false;
     } else {
-      const size_t begun =
-          value.kind == Expression::Kind::kBraces ? level + 1 : whole.dimensions.size();
-      if (!FlattenItem(value, whole, begun, begin, elements)) return false;
-      within = Product(whole.dimensions, begun);
+      const Shape part = PartFor(value, designated.shape);
+      if (!FlattenItem(value, part, begin, filling)) return false;
+      within = Width(part);
     }
-    *position = i * width + within;
+    *position = designated.begin + within;
   }
   return true;
 }
@@ -158,19 +185,15 @@ bool Lowerer::FlattenDesignated(const Expression& item, const Aggregate& whole, 
 std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Declarator& declarator,
                                                      const Symbol& symbol) {
   const Expression* values = declarator.initialiser.get();
-  std::vector<int64_t> dimensions = symbol.dimensions;
-  if (symbol.type.structure != nullptr) {
-    dimensions = {static_cast<int64_t>(symbol.type.structure->members.size())};
-  }
   if (values == nullptr || values->kind != Expression::Kind::kBraces) {
     Report(Code::kArrayValues, values == nullptr ? declarator.head : values->range,
            declarator.name);
     return std::nullopt;
   }
-  Elements elements;
-  const Aggregate whole = {std::move(dimensions), symbol.type.structure, declarator.name};
-  if (!Flatten(*values, whole, 0, 0, elements)) return std::nullopt;
-  return elements;
+  Filling filling;
+  filling.name = declarator.name;
+  if (!Flatten(*values, {symbol.type, symbol.dimensions}, 0, filling)) return std::nullopt;
+  return std::move(filling.elements);
 }
 
 Operand Lowerer::ElementOperand(const Symbol& symbol, int64_t index) const {

@@ -57,6 +57,14 @@ struct Place {
   Type type;
 };
 
+/// The type of what an expression names.
+struct Shape {
+  Type type;                        ///< of an element
+  std::vector<int64_t> dimensions;  ///< as those of an ArrayPlace
+  bool is_pointer = false;          ///< to the array: a parameter, `&x`, `a + 1`
+  bool invalid = false;             ///< there was an error
+};
+
 /// An array, a row of one, or an array parameter.
 struct ArrayPlace {
   int variable = -1;
@@ -190,11 +198,10 @@ class Lowerer {
     Operand value;
     SourceRange range;
   };
-  // What braces give values to: an array, or a structure, whose members are its one dimension.
-  struct Aggregate {
-    std::vector<int64_t> dimensions;
-    const gtcalls::Structure* structure = nullptr;
-    std::string_view name;
+  // A row of an array or a member of a structure, and which of its values is the first one.
+  struct Part {
+    Shape shape;
+    int64_t begin = 0;
   };
   // The places that a designator names among the rows, elements or members of its level.
   struct Designation {
@@ -203,6 +210,10 @@ class Lowerer {
   };
   // The values of an aggregate's initialiser in order; nullptr: 0.
   using Elements = std::vector<const Expression*>;
+  struct Filling {
+    std::string_view name;  // of the variable
+    Elements elements;
+  };
 
   // --- program.cc ---
   void DeclareFunction(const Function& syntax);
@@ -242,14 +253,17 @@ class Lowerer {
   void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
   void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
   const Expression* ScalarValue(const Expression& value);
-  std::optional<Designation> Designate(const Expression& designator, const Aggregate& whole,
-                                       size_t level);
-  bool Flatten(const Expression& braces, const Aggregate& whole, size_t level, int64_t base,
-               Elements& elements);
-  bool FlattenItem(const Expression& item, const Aggregate& whole, size_t level, int64_t position,
-                   Elements& elements);
-  bool FlattenDesignated(const Expression& item, const Aggregate& whole, size_t level, int64_t base,
-                         Elements& elements, int64_t* position);
+  static int64_t Width(const Shape& shape);
+  static bool IsAggregate(const Shape& shape);
+  Part PartOf(const Shape& whole, int64_t number) const;
+  Shape PartAt(const Shape& whole, int64_t position) const;
+  Shape PartFor(const Expression& item, Shape part) const;
+  std::optional<Designation> Designate(const Expression& designator, const Shape& whole,
+                                       std::string_view name);
+  bool Flatten(const Expression& braces, const Shape& whole, int64_t base, Filling& filling);
+  bool FlattenItem(const Expression& item, const Shape& part, int64_t position, Filling& filling);
+  bool FlattenDesignated(const Expression& item, const Shape& whole, int64_t base, Filling& filling,
+                         int64_t* position);
   std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);
   void ClearElements(const Symbol& symbol, int64_t begin, int64_t end, SourceRange range);
   Operand ElementOperand(const Symbol& symbol, int64_t index) const;
@@ -291,7 +305,10 @@ class Lowerer {
   bool RequireNumber(const Value& value, const Expression& expression);
 
   // --- type_of.cc ---
+  std::optional<Shape> ShapeOf(const Expression& expression) const;
   BasicType TypeOf(const Expression& expression);
+  static std::optional<int64_t> MemberNumber(const Type& type, std::string_view name);
+  static std::string_view NameOfStructure(const Type& type);
   virtual BasicType MemberType(const gtcalls::Member& member) const;
   virtual std::optional<BasicType> CastType(const Expression& expression);
   std::optional<int64_t> SizeOfOperand(const Expression& expression);
@@ -328,7 +345,6 @@ class Lowerer {
   /// The int that is the value of an index.
   virtual std::optional<Operand> LowerIndex(const Expression& index);
   std::optional<ArrayPlace> LowerArray(const Expression& expression);
-  const Symbol* ArrayOf(const Expression& expression, int* indices) const;
   bool IsArray(const Expression& expression) const;
   std::optional<ArrayPlace> LowerNamedArray(const Expression& name);
   std::optional<ArrayPlace> LowerAddressed(const Expression& target);
@@ -447,6 +463,9 @@ class Lowerer {
 
 /// `true` for a value that is void, a structure, or follows an error.
 inline bool IsVoid(const Value& value) { return value.operand.kind == Operand::Kind::kNone; }
+
+/// What `p++`, `--p`, `p += n` and `p = q` change, nullptr for other expressions.
+const Expression* MovesOf(const Expression& expression);
 
 /// The expression inside all parentheses.
 const Expression& WithoutParens(const Expression& expression);

@@ -6,18 +6,6 @@
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
-namespace {
-
-// What `p++`, `--p`, `p += n` and `p = q` change, nullptr for other expressions.
-const Expression* MovesOf(const Expression& expression) {
-  using Kind = Expression::Kind;
-  const bool moves = expression.kind == Kind::kPostfix || expression.kind == Kind::kAssign ||
-                     expression.kind == Kind::kCompound ||
-                     (expression.kind == Kind::kUnary && expression.op.size() == 2);
-  return moves ? &WithoutParens(*expression.operands[0]) : nullptr;
-}
-
-}  // namespace
 
 void Lowerer::ReportUndeclared(const Expression& name) {
   Diagnostic* diagnostic = Report(Code::kUndeclared, name.range, name.text);
@@ -46,42 +34,10 @@ bool Lowerer::CheckWritable(const Place& place, const Expression& expression) {
   return false;
 }
 
-// The variable that an expression leads to by indices, stars, `&` and sums, and how many dimensions
-// it goes down: `a[1]` and `*a` one, `a + 1` none, `&x` one up. Other expressions have none.
-const Lowerer::Symbol* Lowerer::ArrayOf(const Expression& expression, int* indices) const {
-  using Kind = Expression::Kind;
-  *indices = 0;
-  const Expression* inner = &WithoutParens(expression);
-  for (;; inner = &WithoutParens(*inner->operands[0])) {
-    if (MovesOf(*inner) != nullptr) continue;
-    if (inner->kind == Kind::kIndex || (inner->kind == Kind::kUnary && inner->op == "*")) {
-      ++*indices;
-    } else if (inner->kind == Kind::kUnary && inner->op == "&") {
-      --*indices;
-    } else if (inner->kind == Kind::kBinary && inner->op == "+") {
-      // The array is on either side.
-      const int outer = *indices;
-      const Symbol* symbol = ArrayOf(*inner->operands[0], indices);
-      const bool found = symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
-                         static_cast<int>(symbol->dimensions.size()) > *indices;
-      if (!found) symbol = ArrayOf(*inner->operands[1], indices);
-      *indices += outer;
-      return symbol;
-    } else if (inner->kind == Kind::kBinary && inner->op == "-") {
-      continue;
-    } else {
-      break;
-    }
-  }
-  return inner->kind == Kind::kName ? Lookup(inner->text) : nullptr;
-}
-
 // True for a whole array, a row of one, or the place of a number, as in `&x`.
 bool Lowerer::IsArray(const Expression& expression) const {
-  int indices = 0;
-  const Symbol* symbol = ArrayOf(expression, &indices);
-  return symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
-         static_cast<int>(symbol->dimensions.size()) > indices;
+  const std::optional<Shape> shape = ShapeOf(expression);
+  return shape && !shape->dimensions.empty();
 }
 
 std::optional<Operand> Lowerer::LowerIndex(const Expression& index) {
@@ -265,9 +221,8 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
     return std::nullopt;
   }
   if (star && !IsArray(*inner.operands[0])) {
-    int indices = 0;
-    const Symbol* symbol = ArrayOf(*inner.operands[0], &indices);
-    if (symbol != nullptr && symbol->invalid) return std::nullopt;
+    const std::optional<Shape> shape = ShapeOf(*inner.operands[0]);
+    if (shape && shape->invalid) return std::nullopt;
     Report(Code::kNeedsPointer, inner.op_range, inner.op);
     return std::nullopt;
   }

@@ -44,6 +44,66 @@ int64_t SizeOfStructure(const gtcalls::Structure& structure) {
 
 }  // namespace
 
+// What `p++`, `--p`, `p += n` and `p = q` change, nullptr for other expressions.
+const Expression* MovesOf(const Expression& expression) {
+  using Kind = Expression::Kind;
+  const bool moves = expression.kind == Kind::kPostfix || expression.kind == Kind::kAssign ||
+                     expression.kind == Kind::kCompound ||
+                     (expression.kind == Kind::kUnary && expression.op.size() == 2);
+  return moves ? &WithoutParens(*expression.operands[0]) : nullptr;
+}
+
+// What an expression names by indices, stars, `&`, sums and moves. An index goes one dimension
+// down, `&x` one up, `a + 1` is an array as `a` is. nullopt for other expressions.
+std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
+  using Kind = Expression::Kind;
+  const Expression& inner = WithoutParens(expression);
+  if (const Expression* const moved = MovesOf(inner)) return ShapeOf(*moved);
+  const auto operand = [this, &inner](size_t i) { return ShapeOf(*inner.operands[i]); };
+  const auto is_array = [](const std::optional<Shape>& shape) {
+    return shape && !shape->dimensions.empty();
+  };
+  if (inner.kind == Kind::kName) {
+    const Symbol* const symbol = Lookup(inner.text);
+    if (symbol == nullptr || symbol->kind != Symbol::Kind::kVariable) return std::nullopt;
+    return Shape{symbol->type, symbol->dimensions, symbol->is_reference, symbol->invalid};
+  }
+  if (inner.kind == Kind::kBinary && (inner.op == "+" || inner.op == "-")) {
+    // The array of a sum is on either side.
+    std::optional<Shape> left = operand(0);
+    std::optional<Shape> array = is_array(left) || inner.op == "-" ? std::move(left) : operand(1);
+    if (!is_array(array) || (inner.op == "-" && is_array(operand(1)))) return std::nullopt;
+    array->is_pointer = true;
+    return array;
+  }
+  if (inner.kind == Kind::kUnary && inner.op == "&") {
+    std::optional<Shape> place = operand(0);
+    if (!place) return std::nullopt;
+    place->dimensions.insert(place->dimensions.begin(), 0);
+    place->is_pointer = true;
+    return place;
+  }
+  if (inner.kind == Kind::kIndex || (inner.kind == Kind::kUnary && inner.op == "*")) {
+    std::optional<Shape> array = operand(0);
+    if (!is_array(array)) return std::nullopt;
+    array->dimensions.erase(array->dimensions.begin());
+    array->is_pointer = false;
+    return array;
+  }
+  return std::nullopt;
+}
+
+// Which member of a structure has a name.
+std::optional<int64_t> Lowerer::MemberNumber(const Type& type, std::string_view name) {
+  const auto& members = type.structure->members;
+  for (size_t i = 0; i < members.size(); ++i) {
+    if (members[i].name == name) return static_cast<int64_t>(i);
+  }
+  return std::nullopt;
+}
+
+std::string_view Lowerer::NameOfStructure(const Type& type) { return type.structure->name; }
+
 BasicType Lowerer::MemberType(const gtcalls::Member& member) const { return TypeOfMember(member); }
 
 std::optional<BasicType> Lowerer::CastType(const Expression& expression) {
@@ -78,16 +138,9 @@ std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
     return product(size_of(type), dimensions, 0);
   }
   const Expression& operand = WithoutParens(*expression.operands[0]);
-  int indices = 0;
-  const Symbol* symbol = ArrayOf(operand, &indices);
-  if (symbol != nullptr && symbol->kind == Symbol::Kind::kVariable) {
-    const bool pointer = indices < 0 || (indices == 0 && symbol->is_reference) ||
-                         (operand.kind == Expression::Kind::kBinary && IsArray(operand));
-    if (pointer) return SizeOf(BasicType::kUnsigned);
-    if (indices <= static_cast<int>(symbol->dimensions.size()) &&
-        operand.kind != Expression::Kind::kBinary) {
-      return product(size_of(symbol->type), symbol->dimensions, static_cast<size_t>(indices));
-    }
+  if (const std::optional<Shape> shape = ShapeOf(operand)) {
+    if (shape->is_pointer) return SizeOf(BasicType::kUnsigned);
+    return product(size_of(shape->type), shape->dimensions, 0);
   }
   const BasicType type = TypeOf(operand);
   return IsArithmetic(type) ? std::optional<int64_t>(SizeOf(type)) : std::nullopt;
@@ -107,9 +160,8 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
       return symbol->kind == Symbol::Kind::kConstant ? symbol->constant.type : symbol->type.basic;
     }
     case Kind::kIndex: {
-      int indices = 0;
-      const Symbol* symbol = ArrayOf(expression, &indices);
-      return symbol != nullptr ? symbol->type.basic : operand(0);
+      const std::optional<Shape> element = ShapeOf(expression);
+      return element ? element->type.basic : operand(0);
     }
     case Kind::kParen:
     case Kind::kPostfix:
@@ -130,9 +182,8 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
     case Kind::kUnary:
       if (expression.op == "!") return BasicType::kInt;
       if (expression.op == "*") {
-        int indices = 0;
-        const Symbol* symbol = ArrayOf(expression, &indices);
-        return symbol != nullptr ? symbol->type.basic : operand(0);
+        const std::optional<Shape> element = ShapeOf(expression);
+        return element ? element->type.basic : operand(0);
       }
       if (expression.op == "++" || expression.op == "--") return operand(0);
       return Promoted(operand(0));
