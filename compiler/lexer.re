@@ -455,7 +455,8 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       "enum"     { Add(structured_ ? Kind::kEnum : Kind::kReserved, begin, cursor); continue; }
       "sizeof"   { Add(structured_ ? Kind::kSizeof : Kind::kReserved, begin, cursor); continue; }
       "typedef"  { Add(structured_ ? Kind::kTypedef : Kind::kReserved, begin, cursor); continue; }
-      "struct" | "union" { Add(Kind::kReserved, begin, cursor); continue; }
+      "struct"   { Add(structured_ ? Kind::kStruct : Kind::kReserved, begin, cursor); continue; }
+      "union"    { Add(Kind::kReserved, begin, cursor); continue; }
       "..."      { AddEllipsis(begin, cursor); continue; }
       letter (letter | digit)* { AddName(begin, cursor); continue; }
 

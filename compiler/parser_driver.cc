@@ -64,7 +64,7 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
   } else if (token->kind != Kind::kEnd) {
     ++next_;
     if (token->kind == Kind::kOpenBrace) {
-      braces_.push_back({token->range, BeginsValues()});
+      braces_.push_back({token->range, BeginsValues(), BeginsMembers()});
     } else if (token->kind == Kind::kCloseBrace && !braces_.empty()) {
       braces_.pop_back();
     }
@@ -80,8 +80,15 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
 // Whether the brace after the last token begins a list of values and not statements.
 bool ParserDriver::BeginsValues() const {
   if (last_ == nullptr) return false;
-  if (last_->kind == Kind::kAssign || last_->kind == Kind::kEnum || AfterEnumName()) return true;
+  if (last_->kind == Kind::kAssign || last_->kind == Kind::kEnum || AfterTag(Kind::kEnum)) {
+    return true;
+  }
   return BeginsValue();
+}
+
+// Whether the brace after the last token begins the members of a structure.
+bool ParserDriver::BeginsMembers() const {
+  return last_ != nullptr && (last_->kind == Kind::kStruct || AfterTag(Kind::kStruct));
 }
 
 // Whether the next token is the first one of a value in braces.
@@ -90,8 +97,9 @@ bool ParserDriver::BeginsValue() const {
          (last_->kind == Kind::kComma || last_->kind == Kind::kOpenBrace);
 }
 
-bool ParserDriver::AfterEnumName() const {
-  return previous_ != nullptr && previous_->kind == Kind::kEnum && last_->kind == Kind::kName;
+// Whether the last token is the name of an enum or a structure.
+bool ParserDriver::AfterTag(int keyword) const {
+  return previous_ != nullptr && previous_->kind == keyword && last_->kind == Kind::kName;
 }
 
 // The kind of a token for the grammar: in structured C some depend on what stands before them.
@@ -116,8 +124,10 @@ int ParserDriver::KindOf(const Token& token) {
       return BeginsValue() ? Kind::kDotDesignator : token.kind;
     case Kind::kOpenBracket:
       if (BeginsValue()) return Kind::kOpenDesignator;
-      return last_ != nullptr && (IsTypeWord(last_->kind) || AfterEnumName()) ? Kind::kOpenAbstract
-                                                                              : token.kind;
+      return last_ != nullptr &&
+                     (IsTypeWord(last_->kind) || AfterTag(Kind::kEnum) || AfterTag(Kind::kStruct))
+                 ? Kind::kOpenAbstract
+                 : token.kind;
     default:
       return token.kind;
   }
@@ -133,13 +143,13 @@ bool ParserDriver::OpenOldStyle() {
   const size_t end = static_cast<size_t>(brace - tokens_.begin());
   ReportOldStyle(end);
   next_ = end + 1;
-  braces_.push_back({brace->range, false});
+  braces_.push_back({brace->range});
   resume_ = false;
   return true;
 }
 
 bool ParserDriver::OpenMissingBrace() {
-  braces_.push_back({last_->range, false});
+  braces_.push_back({last_->range});
   // The token after the missing brace has already been counted before it.
   if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {
     std::swap(braces_[braces_.size() - 1], braces_[braces_.size() - 2]);
@@ -170,7 +180,7 @@ void ParserDriver::RememberNames(size_t begin, size_t end) {
   }
 }
 
-// Whether a skipped statement with an error continues after a `}`: `struct { int a; } b;` and
+// Whether a skipped statement with an error continues after a `}`: `union { int a; } b;` and
 // `({ a; })` in structured C.
 bool ParserDriver::ContinuesAfterBrace(const Token& error, const Token& next) const {
   if (dialect_ == Dialect::kCard) return false;

@@ -85,6 +85,8 @@ class ParserDriver {
   StatementPtr For(SourceRange keyword, StatementPtr initial, ExpressionPtr condition,
                    ExpressionPtr step, StatementPtr body, SourceRange range);
   StatementPtr Return(SourceRange keyword, ExpressionPtr value, SourceRange range);
+  std::unique_ptr<StructSpecifier> DefinedStruct(std::unique_ptr<StructSpecifier> structure,
+                                                 std::vector<StatementPtr> members);
   StatementPtr FunctionItem(std::unique_ptr<Function> function, SourceRange range);
   StatementPtr Block(std::vector<StatementPtr> items, SourceRange range);
   /// A statement inside another one with the labels before it, as a block without braces.
@@ -96,7 +98,8 @@ class ParserDriver {
   int KindOf(const Token& token);
   bool BeginsValues() const;
   bool BeginsValue() const;
-  bool AfterEnumName() const;
+  bool BeginsMembers() const;
+  bool AfterTag(int keyword) const;
   bool ContinuesAfterBrace(const Token& error, const Token& next) const;
   bool InForHeader() const;
   void RememberNames(size_t begin, size_t end);
@@ -123,7 +126,8 @@ class ParserDriver {
   Token end_brace_;                  // used for a `}` that is missing at the end
   struct Brace {
     SourceRange place;
-    bool initialiser;
+    bool initialiser = false;
+    bool members = false;  // of a structure
   };
   std::vector<Brace> braces_;  // those that are open
   bool end_reported_ = false;
@@ -152,6 +156,10 @@ StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> decl
 std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange range);
 /// The declaration of an enum alone: `enum Name { A, B };`.
 StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range);
+/// A struct without its members; `name` may be nullptr.
+std::unique_ptr<StructSpecifier> MakeStruct(const Token* name, SourceRange range);
+/// The declaration of a struct alone: `struct Name { int a; };`.
+StatementPtr MakeStructDeclaration(std::unique_ptr<StructSpecifier> structure, SourceRange range);
 /// `last` is nullptr unless the case is a range.
 StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
                       SourceRange range);

@@ -23,10 +23,15 @@ using EKind = Expression::Kind;
 using SKind = Statement::Kind;
 
 constexpr std::string_view kTypes =
-    "void, bool, char, short, int, long, double, an enum, TTrapPrm, TJogPrm, TPid";
+    "void, bool, char, short, int, long, double, an enum, a struct, TTrapPrm, TJogPrm, TPid";
 
 bool IsIn(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Message WhyDefinedBefore() {
+  return MakeMessage("define it before, in a declaration of its own",
+                     "请在此之前用单独的声明定义它");
 }
 
 // What a message calls a declarator that may have no name.
@@ -61,6 +66,8 @@ class Refusals {
   Diagnostic& ReportPointer(const Declarator& declarator, SourceRange place);
   void VisitSizesAndValues(const Declarator& declarator);
   void VisitSpecifiers(const Specifiers& specifiers, Use use);
+  void VisitStructure(const StructSpecifier& structure, Use use);
+  void VisitMember(const Statement& member);
   void VisitType(const TypeName& type);
   void Visit(const Expression* expression);
   void VisitCall(const Expression& call);
@@ -174,7 +181,8 @@ void Refusals::VisitHead(const Function& function) {
   for (const ParameterDeclaration& parameter : function.parameters) {
     const Declarator& declarator = parameter.declarator;
     const Specifiers& specifiers = parameter.specifiers;
-    if (specifiers.words.empty() && specifiers.enumeration == nullptr) {
+    if (specifiers.words.empty() && specifiers.enumeration == nullptr &&
+        specifiers.structure == nullptr) {
       if (function.mended) continue;
       InsertBefore(reporter_.Report(Code::kOldStyle, parameter.range, declarator.name),
                    parameter.range, "int ");
@@ -260,21 +268,65 @@ void Refusals::VisitSizesAndValues(const Declarator& declarator) {
   Visit(declarator.initialiser.get());
 }
 
+void Refusals::VisitStructure(const StructSpecifier& structure, Use use) {
+  if (!structure.defined) return;
+  const auto refuse = [this, &structure](const Message& why) {
+    reporter_.Report(Code::kNotForTheCard, structure.range, std::string_view("struct"), why);
+  };
+  if (use != Use::kVariable && use != Use::kPointer) refuse(WhyDefinedBefore());
+  if (structure.members.empty()) refuse(MakeMessage("it has no members", "它没有成员"));
+  for (const StatementPtr& member : structure.members) VisitMember(*member);
+}
+
+// The declaration of members.
+void Refusals::VisitMember(const Statement& member) {
+  const size_t known = reporter_.diagnostics().size();
+  if (member.kind == SKind::kDeclaration) VisitDeclaration(member);
+  if (reporter_.diagnostics().size() > known) return;
+  const auto refuse = [this](SourceRange range, std::string_view what, const Message& why) {
+    reporter_.Report(Code::kNotForTheCard, range, what, why);
+  };
+  if (member.declarators.empty() && member.specifiers.structure != nullptr) {
+    refuse(member.specifiers.range, "struct",
+           MakeMessage("a member needs a name, by which it is used", "成员需要名称，以便使用"));
+  }
+  for (const Token* word : member.specifiers.words) {
+    if (IsIn(word->text, {"static", "extern", "typedef"})) {
+      refuse(
+          word->range, word->text,
+          MakeMessage("it cannot stand before a member; leave it out", "它不能用于成员；请去掉它"));
+    }
+  }
+  for (const Declarator& declarator : member.declarators) {
+    if (!declarator.sizes.empty() && declarator.sizes[0] == nullptr) {
+      refuse(declarator.head, declarator.name,
+             MakeMessage("a member has as many elements as its declaration says; write the size",
+                         "成员的元素个数由声明确定；请写出长度"));
+    }
+    if (declarator.initialiser != nullptr) {
+      refuse(declarator.initialiser->range, declarator.name,
+             MakeMessage("a member has no value; give one to the variable",
+                         "成员没有初值；请在变量处给出"));
+    }
+  }
+}
+
 // The words of a type are one of the types of kTypes, and together one that C has.
 void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
   if (specifiers.enumeration != nullptr) {
     if (specifiers.enumeration->defined && use != Use::kVariable) {
       reporter_.Report(Code::kNotForTheCard, specifiers.enumeration->range,
-                       std::string_view("enum"),
-                       MakeMessage("define it before, in a declaration of its own",
-                                   "请在此之前用单独的声明定义它"));
+                       std::string_view("enum"), WhyDefinedBefore());
     }
     for (const Enumerator& constant : specifiers.enumeration->enumerators) {
       Visit(constant.value.get());
     }
   }
+  if (specifiers.structure != nullptr) VisitStructure(*specifiers.structure, use);
   std::string spelled;
-  std::string_view base = specifiers.enumeration != nullptr ? "enum" : "";
+  std::string_view base = specifiers.enumeration != nullptr ? "enum"
+                          : specifiers.structure != nullptr ? "struct"
+                                                            : "";
   int longs = 0;
   int shorts = 0;
   int signs = 0;
@@ -331,8 +383,8 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
     const gtcalls::Structure* structure = options_.catalogue->FindStructure(base);
     good =
         good &&
-        (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) || !header_type.empty() ||
-         type_names_.contains(base) ||
+        (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum", "struct"}) ||
+         !header_type.empty() || type_names_.contains(base) ||
          (base == "void" && (use == Use::kFunction || use == Use::kCast || use == Use::kPointer)) ||
          (structure != nullptr && structure->in_motion_program));
   }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct Expression;
 using ExpressionPtr = std::unique_ptr<Expression>;
 struct TypeName;
 using TypeNamePtr = std::unique_ptr<TypeName>;
+struct Statement;
+using StatementPtr = std::unique_ptr<Statement>;
 
 struct Expression {
   enum class Kind : uint8_t {
@@ -92,11 +95,23 @@ struct Enumeration {
   std::vector<Enumerator> enumerators;
 };
 
+/// `struct Name` or `struct Name { int a; }`; structured C.
+struct StructSpecifier {
+  SourceRange range;
+  SourceRange name_range;
+  std::string_view name;              ///< empty for an anonymous one
+  std::string tag;                    ///< `struct Name`, which no variable is called
+  bool defined = false;               ///< has braces
+  std::vector<StatementPtr> members;  ///< declarations
+  Levels levels;
+};
+
 /// The words before a declared name, such as `unsigned long`.
 struct Specifiers {
   SourceRange range;
-  std::vector<const Token*> words;           ///< without those of the enumeration
-  std::unique_ptr<Enumeration> enumeration;  ///< structured C
+  std::vector<const Token*> words;             ///< without those of the enumeration or structure
+  std::unique_ptr<Enumeration> enumeration;    ///< structured C
+  std::unique_ptr<StructSpecifier> structure;  ///< structured C
 };
 
 /// A type without a name, as in `(double)` and `sizeof(int[4])`.
@@ -123,9 +138,6 @@ struct ParameterDeclaration {
   Declarator declarator;  ///< no name: the type alone
 };
 
-struct Statement;
-using StatementPtr = std::unique_ptr<Statement>;
-
 struct Function {
   SourceRange header;
   SourceRange name_range;
@@ -146,7 +158,7 @@ struct Statement {
   enum class Kind : uint8_t {
     kEmpty,
     kExpression,   ///< value
-    kDeclaration,  ///< specifiers, declarators; of an enum, there may be none
+    kDeclaration,  ///< specifiers, declarators; of an enum or struct, there may be none
     kIf,           ///< value, body, else_body
     kWhile,        ///< value, body
     kDo,           ///< body, value

@@ -15,11 +15,9 @@ using Symbol = Parser::symbol_kind;
 
 // The reason for a reserved word of structured C.
 Message WhyNotForTheCard(std::string_view word) {
-  if (word == "struct" || word == "union") {
-    return MakeMessage(
-        "the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or an array for "
-        "each member",
-        "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组");
+  if (word == "union") {
+    return MakeMessage("on the card each variable has its own storage; declare one for each member",
+                       "在控制卡上每个变量都有自己的存储空间；请为每个成员声明一个变量");
   }
   if (word.find("asm") != std::string_view::npos) {
     return MakeMessage("the card does not run machine code", "控制卡不能运行机器码");
@@ -69,7 +67,8 @@ void ParserDriver::ReportOldStyle(size_t end) {
   std::string declarator;
   std::string_view name;
   const auto in_type = [&declarator](const Token& token) {
-    return declarator.empty() && (IsTypeWord(token.kind) || token.kind == Kind::kEnum);
+    return declarator.empty() &&
+           (IsTypeWord(token.kind) || token.kind == Kind::kEnum || token.kind == Kind::kStruct);
   };
   for (size_t i = begin; i < end; ++i) {
     const Token& token = tokens_[i];
@@ -77,7 +76,8 @@ void ParserDriver::ReportOldStyle(size_t end) {
       declarations.emplace(name, type + declarator);
       declarator.clear();
       if (token.kind == Kind::kSemicolon) type.clear();
-    } else if (in_type(token) || (type.ends_with("enum ") && declarator.empty())) {
+    } else if (in_type(token) ||
+               ((type.ends_with("enum ") || type.ends_with("struct ")) && declarator.empty())) {
       type += std::string(token.text) + ' ';
     } else {
       if (token.kind == Kind::kName) name = token.text;
@@ -120,6 +120,9 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
     word = "(*)";
     why = MakeMessage("there are no pointers; call functions by name, and name arrays",
                       "没有指针；请用名称调用函数和使用数组");
+  } else if (found.kind == Kind::kColon && !braces_.empty() && braces_.back().members) {
+    why = MakeMessage("a member has all bits of its type; leave the number of bits out",
+                      "成员具有其类型的全部位；请去掉位数");
   } else if (found.kind == Kind::kOpenBrace && operand) {
     why = MakeMessage("a value in braces or a statement inside an expression; use a variable",
                       "表达式中的花括号值或语句；请使用变量");

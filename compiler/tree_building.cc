@@ -22,6 +22,7 @@ class LevelsAbove {
   }
   void Nest(const TypeName& type) {
     for (const ExpressionPtr& size : type.sizes) Nest(size);
+    Nest(type.specifiers.structure);
     if (type.specifiers.enumeration == nullptr) return;
     for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
       Nest(constant.value);
@@ -262,6 +263,16 @@ void ParserDriver::AddPrototypes(Function& first, std::vector<std::unique_ptr<Fu
   if (dialect_ == Dialect::kStructured) first.others = std::move(others);
 }
 
+std::unique_ptr<StructSpecifier> ParserDriver::DefinedStruct(
+    std::unique_ptr<StructSpecifier> structure, std::vector<StatementPtr> members) {
+  LevelsAbove above;
+  for (const StatementPtr& member : members) above.Nest(member->specifiers.structure);
+  structure->defined = true;
+  structure->levels = above.levels();
+  if (Fits(structure->levels, structure->range)) structure->members = std::move(members);
+  return structure;
+}
+
 StatementPtr ParserDriver::FunctionItem(std::unique_ptr<Function> function, SourceRange range) {
   StatementPtr statement = MakeStatement(Statement::Kind::kFunction, range);
   statement->keyword = function->header;
@@ -333,6 +344,24 @@ StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, Sourc
   Specifiers specifiers;
   specifiers.range = enumeration->range;
   specifiers.enumeration = std::move(enumeration);
+  return MakeDeclaration(std::move(specifiers), {}, range);
+}
+
+std::unique_ptr<StructSpecifier> MakeStruct(const Token* name, SourceRange range) {
+  auto structure = std::make_unique<StructSpecifier>();
+  structure->range = range;
+  if (name != nullptr) {
+    structure->name = name->text;
+    structure->name_range = name->range;
+    structure->tag = fmt::format("struct {}", name->text);
+  }
+  return structure;
+}
+
+StatementPtr MakeStructDeclaration(std::unique_ptr<StructSpecifier> structure, SourceRange range) {
+  Specifiers specifiers;
+  specifiers.range = structure->range;
+  specifiers.structure = std::move(structure);
   return MakeDeclaration(std::move(specifiers), {}, range);
 }
 

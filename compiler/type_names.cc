@@ -79,6 +79,7 @@ void Marker::VisitName(size_t i) {
     case Kind::kArrow:
     case Kind::kGoto:
     case Kind::kEnum:
+    case Kind::kStruct:
       return;
     default:
       break;

@@ -261,6 +261,13 @@ void Lowerer::DefineEnumeration(const Enumeration& enumeration) {
 void Lowerer::LowerDeclaration(const Statement& statement) {
   const Enumeration* enumeration = statement.specifiers.enumeration.get();
   if (enumeration != nullptr && enumeration->defined) DefineEnumeration(*enumeration);
+  if (statement.specifiers.structure != nullptr) {
+    Report(Code::kNotForTheCard, statement.specifiers.structure->range, std::string_view("struct"),
+           MakeMessage("the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or "
+                       "an array for each member",
+                       "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组"));
+    return;
+  }
   if (statement.declarators.empty()) return;
   const Type type = ResolveType(statement.specifiers);
   for (const Declarator& declarator : statement.declarators) {

@@ -53,6 +53,18 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"enum Mode { kOff } mode = kOff;", "(decl enum Mode{ kOff } mode=kOff)"},
         Row{"const enum Mode mode;", "(decl const enum Mode mode)"},
         Row{"enum Mode next(enum Mode mode);", "(enum Mode next (enum Mode mode))"},
+        // Structures: named, anonymous, nested, used as a type, declared alone.
+        Row{"struct point { int x, y[2]; };", "(decl struct point{ (decl int x y[2]) })"},
+        Row{"struct { double d; } a, b[2];", "(decl struct { (decl double d) } a b[2])"},
+        Row{"static struct line { struct point from; struct { int z; } to; } one;",
+            "(decl static struct line{ (decl struct point from) "
+            "(decl struct { (decl int z) } to) } one)"},
+        Row{"const struct point p = {1};", "(decl const struct point p=(values 1))"},
+        Row{"struct point;", "(decl struct point)"},
+        Row{"struct point next(struct point p, struct point *q);",
+            "(struct point next (struct point p, struct point *q))"},
+        Row{"typedef struct point { int x; } point; point p;",
+            "(decl typedef struct point{ (decl int x) } point) (decl point p)"},
         // Initial values: nested, without a size, empty, with a comma at the end.
         Row{"int a[2][3] = {{1, 2, 3}, {4, 5, 6}};",
             "(decl int a[2][3]=(values (values 1 2 3) (values 4 5 6)))"},

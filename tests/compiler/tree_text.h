@@ -8,6 +8,7 @@
 namespace oncard::compiler {
 
 inline std::string TreeText(const Expression* expression);
+inline std::string TreeText(const Statement* statement);
 
 inline std::string SizesText(const std::vector<ExpressionPtr>& sizes) {
   std::string text;
@@ -19,6 +20,14 @@ inline std::string TreeText(const Specifiers& specifiers) {
   std::string text;
   for (const Token* word : specifiers.words) {
     text += (text.empty() ? "" : " ") + std::string(word->text);
+  }
+  if (specifiers.structure != nullptr) {
+    const StructSpecifier& structure = *specifiers.structure;
+    text += std::string(text.empty() ? "" : " ") + "struct " + std::string(structure.name);
+    if (!structure.defined) return text;
+    text += '{';
+    for (const StatementPtr& member : structure.members) text += ' ' + TreeText(member.get());
+    return text + " }";
   }
   if (specifiers.enumeration == nullptr) return text;
   const Enumeration& enumeration = *specifiers.enumeration;

@@ -1,8 +1,8 @@
 //@ structured
-struct Point { int x; int y; }; // expect error MP206
-struct Point origin; // expect error MP206
+struct Point { int x; int y; };
+struct Point origin;
 union Word { int all; char bytes[4]; } word; // expect error MP206
-typedef struct { int x; } pair; // expect error MP206
+typedef struct { int x; } pair;
 typedef int (*handler)(int); // expect error MP206
 typedef int *place; // expect error MP129
 typedef int function(int a); // expect error MP206
