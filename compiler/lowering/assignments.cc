@@ -78,7 +78,7 @@ void Lowerer::AssignInto(const Place& place, const Expression& value) {
   if (RequireNumber(computed, inner)) Store(place, computed, value.range, false);
 }
 
-bool Lowerer::AssignStructure(const Expression& target, const Expression& value) {
+bool Lowerer::AssignCardStructure(const Expression& target, const Expression& value) {
   const std::optional<Place> to = LowerPlace(target);
   if (!to) return false;
   const std::optional<Place> from = LowerPlace(value);
@@ -113,7 +113,12 @@ Value Lowerer::LowerAssignment(const Expression& expression, bool value_used) {
   const Expression& value = *expression.operands[1];
   if (IsArray(target)) return LowerMoved(expression, value_used);
   if (TypeOf(target) == BasicType::kStructure) {
-    AssignStructure(target, value);
+    const std::optional<Shape> shape = ShapeOf(target);
+    if (shape && shape->type.own != nullptr) {
+      AssignStructure(target, value);
+    } else {
+      AssignCardStructure(target, value);
+    }
     return {Operand(), BasicType::kStructure, BasicType::kStructure};
   }
   const std::optional<Place> place = LowerPlace(target);

@@ -78,7 +78,7 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
                                                       const FunctionInfo& info) {
   const Declarator& declarator = parameter.declarator;
   const Type type = ResolveGlobalType(parameter.specifiers);
-  if (type.structure != nullptr) {
+  if (type.basic == BasicType::kStructure) {
     Report(Code::kBadParameter, parameter.range, Source(parameter.range));
     return std::nullopt;
   }
@@ -182,7 +182,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
         copies.push_back({{symbol.offset, Type{}}, offset, argument.range});
       }
     } else {
-      if (type.structure != nullptr) {
+      if (type.basic == BasicType::kStructure) {
         Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
         return false;
       }

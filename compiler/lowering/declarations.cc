@@ -30,6 +30,12 @@ BasicType TypeOfWords(const Words& words) {
   return words.is_unsigned ? BasicType::kUnsigned : BasicType::kInt;
 }
 
+// The elements of a leaf's variable where there are so many structures; 0: one that is no array.
+int SizeOfLeaf(const Leaf& leaf, int structures) {
+  if (structures == 0 && !leaf.is_array) return 0;
+  return std::max(structures, 1) * static_cast<int>(leaf.size);
+}
+
 Message WhyNoExtern() {
   return MakeMessage(
       "it is declared 'extern' and defined nowhere in the program; leave 'extern' out",
@@ -58,6 +64,12 @@ Type Lowerer::TypeFrom(const Specifiers& specifiers, const Scope* scope) const {
   Type type;
   Words words;
   const Symbol* named = nullptr;
+  if (specifiers.structure != nullptr) {
+    type.basic = BasicType::kStructure;
+    type.own = FindStructure(*specifiers.structure, scope);
+    type.is_const = HasWord(specifiers, "const");
+    return type;
+  }
   for (const Token* token : specifiers.words) {
     const std::string_view word = token->text;
     if (token->kind == Parser::token::kStructureName || token->kind == Parser::token::kInt) {
@@ -114,8 +126,17 @@ const Lowerer::Symbol* Lowerer::Lookup(std::string_view name) const {
   return later ? nullptr : &symbol;
 }
 
+// A structure becomes a variable for each leaf; the result is the first one.
 int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,
                          SourceRange range) {
+  const int first = static_cast<int>(program_.variables.size());
+  if (type.own != nullptr) {
+    for (const Leaf& leaf : type.own->leaves) {
+      NewVariable(role, fmt::format("{}_{}", wish, leaf.name), leaf.type, SizeOfLeaf(leaf, size),
+                  range);
+    }
+    return first;
+  }
   Variable variable;
   variable.role = role;
   variable.name = names_.Make(wish);
@@ -125,10 +146,18 @@ int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type&
   variable.structure = type.structure;
   variable.range = range;
   program_.variables.push_back(std::move(variable));
-  return static_cast<int>(program_.variables.size()) - 1;
+  return first;
 }
 
 int Lowerer::NewGlobal(std::string name, const Type& type, int size, SourceRange range) {
+  const int first = static_cast<int>(program_.variables.size());
+  if (type.own != nullptr) {
+    for (const Leaf& leaf : type.own->leaves) {
+      NewGlobal(NewGlobalName(fmt::format("{}_{}", name, leaf.name)), leaf.type,
+                SizeOfLeaf(leaf, size), range);
+    }
+    return first;
+  }
   Variable variable;
   variable.role = Variable::Role::kGlobal;
   variable.name = std::move(name);
@@ -137,8 +166,8 @@ int Lowerer::NewGlobal(std::string name, const Type& type, int size, SourceRange
   variable.structure = type.structure;
   variable.range = range;
   program_.variables.push_back(std::move(variable));
-  program_.globals.push_back(static_cast<int>(program_.variables.size()) - 1);
-  return program_.globals.back();
+  program_.globals.push_back(first);
+  return first;
 }
 
 // A name that no local has either.
@@ -233,7 +262,8 @@ void Lowerer::DefineType(const Declarator& declarator, const Type& type) {
   const bool again =
       known != scopes_.back().end() && known->second.kind == Symbol::Kind::kType &&
       known->second.type.basic == type.basic && known->second.type.structure == type.structure &&
-      known->second.type.is_const == type.is_const && known->second.dimensions == symbol.dimensions;
+      known->second.type.own == type.own && known->second.type.is_const == type.is_const &&
+      known->second.dimensions == symbol.dimensions;
   if (!again) Define(declarator.name, std::move(symbol));
 }
 
@@ -258,16 +288,16 @@ void Lowerer::DefineEnumeration(const Enumeration& enumeration) {
   }
 }
 
-void Lowerer::LowerDeclaration(const Statement& statement) {
-  const Enumeration* enumeration = statement.specifiers.enumeration.get();
+// An enum or a structure whose definition is a type.
+void Lowerer::DefineTypesOf(const Specifiers& specifiers) {
+  const Enumeration* const enumeration = specifiers.enumeration.get();
   if (enumeration != nullptr && enumeration->defined) DefineEnumeration(*enumeration);
-  if (statement.specifiers.structure != nullptr) {
-    Report(Code::kNotForTheCard, statement.specifiers.structure->range, std::string_view("struct"),
-           MakeMessage("the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or "
-                       "an array for each member",
-                       "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组"));
-    return;
-  }
+  const StructSpecifier* const structure = specifiers.structure.get();
+  if (structure != nullptr && structure->defined) DefineStructure(*structure);
+}
+
+void Lowerer::LowerDeclaration(const Statement& statement) {
+  DefineTypesOf(statement.specifiers);
   if (statement.declarators.empty()) return;
   const Type type = ResolveType(statement.specifiers);
   for (const Declarator& declarator : statement.declarators) {
@@ -327,22 +357,22 @@ int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
 void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
   std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, symbol.type);
   symbol.type.rows = nullptr;
-  symbol.invalid = !dimensions;
-  if (!dimensions) return;
+  symbol.invalid = !dimensions || !IsComplete(symbol.type, declarator) ||
+                   (!dimensions->empty() && !CanRepeat(symbol.type, declarator));
+  if (symbol.invalid) return;
   symbol.dimensions = std::move(*dimensions);
-  if (symbol.dimensions.empty()) return;
-  if (symbol.type.structure != nullptr) {
+  const int64_t values = Width({symbol.type, symbol.dimensions});
+  if (values > vm::kSlotCount) {
     symbol.invalid = true;
-    Report(Code::kNotLowered, declarator.head, MakeMessage("an array of structures", "结构数组"),
-           MakeMessage("declare several variables", "请声明多个变量"));
-    return;
+    Report(Code::kArraySize, declarator.head, declarator.name, std::to_string(values),
+           int64_t{vm::kSlotCount});
   }
+  if (symbol.dimensions.empty() || symbol.invalid) return;
   if (symbol.dimensions[0] != 0 || (is_extern && declarator.initialiser == nullptr)) return;
   const std::optional<Elements> elements = ElementsOf(declarator, symbol);
   symbol.invalid = !elements;
   if (!elements) return;
-  const std::vector<int64_t> row(symbol.dimensions.begin() + 1, symbol.dimensions.end());
-  const int64_t width = row.empty() ? 1 : SizeOfAll(row);
+  const int64_t width = Width(PartOf({symbol.type, symbol.dimensions}, 0).shape);
   symbol.dimensions[0] = (static_cast<int64_t>(elements->size()) + width - 1) / width;
 }
 
@@ -359,7 +389,8 @@ bool Lowerer::Redeclares(const Symbol& first, const Symbol& symbol) {
   const std::vector<int64_t>& now = symbol.dimensions;
   const bool same_type = first.kind == Symbol::Kind::kVariable && !first.invalid &&
                          first.type.basic == symbol.type.basic &&
-                         first.type.structure == symbol.type.structure;
+                         first.type.structure == symbol.type.structure &&
+                         first.type.own == symbol.type.own;
   if (!same_type || before.size() != now.size()) return false;
   for (size_t i = 0; i < now.size(); ++i) {
     if (before[i] != now[i] && before[i] != 0 && now[i] != 0) return false;
@@ -445,8 +476,11 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
     if (added) {
       // The name says whose it is: it is a global now.
       const std::string wish = fmt::format("{}_{}", frame_->info->syntax->name, declarator.name);
-      entry->second = NewGlobal(NewGlobalName(wish), type, size, declarator.name_range);
-      names_.Reserve(program_.variables.back().name);
+      entry->second = NewGlobal(type.own != nullptr ? wish : NewGlobalName(wish), type, size,
+                                declarator.name_range);
+      for (size_t i = static_cast<size_t>(entry->second); i < program_.variables.size(); ++i) {
+        names_.Reserve(program_.variables[i].name);
+      }
       symbol.variable = entry->second;
       if (declarator.initialiser != nullptr) InitialiseGlobal(declarator, symbol);
     }

@@ -59,9 +59,8 @@ Value Lowerer::LowerName(const Expression& expression) {
     Report(Code::kArrayWithoutIndex, expression.range, expression.text);
     return nothing;
   }
-  if (symbol->type.structure != nullptr) {
-    Report(Code::kMisuse, expression.range, expression.text, MakeMessage("a structure", "结构"),
-           MakeMessage("one of its members", "它的成员"));
+  if (symbol->type.basic == BasicType::kStructure) {
+    ReportStructure(expression);
     return nothing;
   }
   return {VariableOperand(symbol->variable), symbol->type.basic, symbol->type.basic};

@@ -37,9 +37,10 @@ const Expression* Lowerer::ScalarValue(const Expression& value) {
 }
 
 int64_t Lowerer::Width(const Shape& shape) {
-  const int64_t values = shape.type.structure != nullptr
-                             ? static_cast<int64_t>(shape.type.structure->members.size())
-                             : 1;
+  const Type& type = shape.type;
+  const int64_t values = type.own != nullptr         ? type.own->values
+                         : type.structure != nullptr ? std::ssize(type.structure->members)
+                                                     : 1;
   return Product(shape.dimensions, 0) * values;
 }
 
@@ -49,6 +50,10 @@ Lowerer::Part Lowerer::PartOf(const Shape& whole, int64_t number) const {
   if (!whole.dimensions.empty()) {
     part.shape = {whole.type, {whole.dimensions.begin() + 1, whole.dimensions.end()}};
     part.begin = number * Width(part.shape);
+  } else if (whole.type.own != nullptr) {
+    const OwnMember& member = whole.type.own->members[static_cast<size_t>(number)];
+    part.shape = {member.type, member.dimensions};
+    part.begin = member.begin;
   } else {
     part.shape.type.basic = MemberType(whole.type.structure->members[static_cast<size_t>(number)]);
     part.begin = number;
@@ -56,12 +61,22 @@ Lowerer::Part Lowerer::PartOf(const Shape& whole, int64_t number) const {
   return part;
 }
 
+// Which row or member a value of an aggregate belongs to.
+int64_t Lowerer::PartNumberAt(const Shape& whole, int64_t position) const {
+  if (!whole.dimensions.empty()) return position / Width(PartOf(whole, 0).shape);
+  if (whole.type.own == nullptr) return position;
+  const std::vector<OwnMember>& members = whole.type.own->members;
+  const auto next =
+      std::upper_bound(members.begin(), members.end(), position,
+                       [](int64_t place, const OwnMember& member) { return place < member.begin; });
+  return next - members.begin() - 1;
+}
+
 // The outermost part of an aggregate that begins at a value of it.
 Shape Lowerer::PartAt(const Shape& whole, int64_t position) const {
   Part part = {whole, 0};
   do {
-    const int64_t row = part.shape.dimensions.empty() ? 1 : Width(PartOf(part.shape, 0).shape);
-    part = PartOf(part.shape, position / row);
+    part = PartOf(part.shape, PartNumberAt(part.shape, position));
     position -= part.begin;
   } while (position != 0);
   return part.shape;
@@ -115,11 +130,18 @@ std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designa
 }
 
 // The part that begins at a value of an aggregate, or within it, for which an item is: the
-// outermost one if it has braces, otherwise a number.
+// outermost one if it has braces, otherwise a number, or a structure if the item is one.
 Shape Lowerer::PartFor(const Expression& item, Shape part) const {
   if (item.kind == Expression::Kind::kBraces) return part;
-  while (IsAggregate(part)) part = PartOf(part, 0).shape;
+  while (IsAggregate(part) && !HasType(item, part)) part = PartOf(part, 0).shape;
   return part;
+}
+
+// Whether a value is a structure of the program of this type.
+bool Lowerer::HasType(const Expression& value, const Shape& shape) const {
+  if (shape.type.own == nullptr || !shape.dimensions.empty()) return false;
+  const std::optional<Shape> given = ShapeOf(value);
+  return given && given->dimensions.empty() && given->type.own == shape.type.own;
 }
 
 // The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
@@ -145,18 +167,36 @@ bool Lowerer::Flatten(const Expression& braces, const Shape& whole, int64_t base
   return true;
 }
 
-// The value of an element, or the braces of a row, which replace what was there.
+// The value of an element, or of a structure, or the braces of a row, which replace what was there.
 bool Lowerer::FlattenItem(const Expression& item, const Shape& part, int64_t position,
                           Filling& filling) {
   Elements& elements = filling.elements;
   const size_t begin = static_cast<size_t>(position);
   const size_t end = begin + static_cast<size_t>(Width(part));
-  if (elements.size() <= begin) elements.resize(begin + 1, nullptr);
-  std::fill(elements.begin() + static_cast<std::ptrdiff_t>(std::min(begin, elements.size())),
+  const bool is_braces = item.kind == Expression::Kind::kBraces;
+  if (elements.size() <= begin) elements.resize(begin + 1);
+  const bool within = elements[begin].of_structure && elements[begin].value == nullptr;
+  const bool before =
+      end < elements.size() && elements[end].of_structure && elements[end].value == nullptr;
+  if (within || before) {
+    Report(
+        Code::kNotForTheCard, item.range, Source(item.range),
+        MakeMessage("a structure before it gives this member its value; write the members of the "
+                    "structure one by one",
+                    "它之前的结构已给出该成员的值；请逐个写出该结构的成员"));
+    return false;
+  }
+  std::fill(elements.begin() + static_cast<std::ptrdiff_t>(begin),
             elements.begin() + static_cast<std::ptrdiff_t>(std::min(end, elements.size())),
-            nullptr);
-  if (IsAggregate(part)) return Flatten(item, part, position, filling);
-  elements[begin] = ScalarValue(item);
+            Element());
+  if (IsAggregate(part) && is_braces) return Flatten(item, part, position, filling);
+  if (!IsAggregate(part)) {
+    elements[begin].value = ScalarValue(item);
+    return true;
+  }
+  if (elements.size() < end) elements.resize(end);
+  for (size_t i = begin; i < end; ++i) elements[i].of_structure = true;
+  elements[begin].value = &item;
   return true;
 }
 
@@ -196,28 +236,55 @@ std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Declarator& declarato
   return std::move(filling.elements);
 }
 
-Operand Lowerer::ElementOperand(const Symbol& symbol, int64_t index) const {
-  Operand operand = VariableOperand(symbol.variable);
-  if (symbol.type.structure != nullptr) {
+// The number of a variable, an element of an array or a member of a structure of the card.
+Operand Lowerer::ElementOperand(int variable, int64_t index) const {
+  Operand operand = VariableOperand(variable);
+  const Variable& written = program_.variables[static_cast<size_t>(variable)];
+  if (written.structure != nullptr) {
     operand.kind = Operand::Kind::kMember;
     operand.member = static_cast<int16_t>(index);
     operand.type =
-        gtcalls::ProgramType(symbol.type.structure->members[static_cast<size_t>(index)].type);
-  } else {
+        gtcalls::ProgramType(written.structure->members[static_cast<size_t>(index)].type);
+  } else if (written.size > 0) {
     operand.kind = Operand::Kind::kElement;
     operand.value = index;
   }
   return operand;
 }
 
+// Where a value of a variable is: the number, or the structure of a type that begins there.
+ArrayPlace Lowerer::PlaceAt(const Symbol& symbol, int64_t position, const OwnStructure* own) const {
+  Part part = {{symbol.type, symbol.dimensions}, 0};
+  ArrayPlace place;
+  place.variable = symbol.variable;
+  int64_t element = 0;
+  while (IsAggregate(part.shape) && part.shape.type.structure == nullptr) {
+    if (part.shape.dimensions.empty() && part.shape.type.own == own) break;
+    const int64_t number = PartNumberAt(part.shape, position);
+    if (!part.shape.dimensions.empty()) {
+      element = element * part.shape.dimensions[0] + number;
+    } else {
+      place.variable += part.shape.type.own->members[static_cast<size_t>(number)].leaf;
+    }
+    part = PartOf(part.shape, number);
+    position -= part.begin;
+  }
+  place.element = part.shape.type;
+  // Of a structure of the card, which has no elements, the member.
+  place.offset = IntOperand(element + position);
+  place.name = Source(symbol.range);
+  return place;
+}
+
 void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbol) {
-  const auto add = [this, &symbol](const Operand& target, const Expression& expression) {
+  const auto add = [this](const Operand& target, const Type& type, const Expression& expression) {
     const std::optional<TypedConstant> value = Evaluate(expression);
-    const BasicType type = target.type == vm::DataType::kDouble ? BasicType::kDouble
-                           : symbol.type.structure != nullptr   ? BasicType::kInt
-                                                                : symbol.type.basic;
+    const BasicType basic =
+        target.kind == Operand::Kind::kMember
+            ? target.type == vm::DataType::kDouble ? BasicType::kDouble : BasicType::kInt
+            : type.basic;
     const std::optional<TypedConstant> converted =
-        value ? ConvertConstant(*value, type) : std::nullopt;
+        value ? ConvertConstant(*value, basic) : std::nullopt;
     if (!converted) {
       Report(Code::kConstantNeeded, expression.range, Source(expression.range));
       return;
@@ -225,24 +292,26 @@ void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbo
     const Operand operand = ConstantValue(*converted, expression).operand;
     if (operand.value != 0) initial_values_.push_back({target, operand, expression.range});
   };
-  if (symbol.dimensions.empty() && symbol.type.structure == nullptr) {
+  if (!IsAggregate({symbol.type, symbol.dimensions})) {
     const Expression* value = ScalarValue(*declarator.initialiser);
-    if (value != nullptr) add(VariableOperand(symbol.variable), *value);
+    if (value != nullptr) add(VariableOperand(symbol.variable), symbol.type, *value);
     return;
   }
   const std::optional<Elements> elements = ElementsOf(declarator, symbol);
   if (!elements) return;
   for (size_t i = 0; i < elements->size(); ++i) {
-    if ((*elements)[i] == nullptr) continue;
-    add(ElementOperand(symbol, static_cast<int64_t>(i)), *(*elements)[i]);
+    const Expression* const value = (*elements)[i].value;
+    if (value == nullptr) continue;
+    const ArrayPlace place = PlaceAt(symbol, static_cast<int64_t>(i), nullptr);
+    add(ElementOperand(place.variable, place.offset.value), place.element, *value);
   }
 }
 
-void Lowerer::ClearElements(const Symbol& symbol, int64_t begin, int64_t end, SourceRange range) {
-  const Operand zero = ConstantOperand(DataTypeOf(symbol.type.basic), 0);
-  if (end - begin < kClearedByLoop || symbol.type.structure != nullptr) {
+void Lowerer::ClearElements(int variable, int64_t begin, int64_t end, SourceRange range) {
+  const Variable& cleared = program_.variables[static_cast<size_t>(variable)];
+  if (end - begin < kClearedByLoop || cleared.structure != nullptr) {
     for (int64_t i = begin; i < end; ++i) {
-      Operand target = ElementOperand(symbol, i);
+      const Operand target = ElementOperand(variable, i);
       EmitCopy(target, ConstantOperand(target.type, 0), range);
     }
     return;
@@ -251,25 +320,42 @@ void Lowerer::ClearElements(const Symbol& symbol, int64_t begin, int64_t end, So
   const int loop = NewLabel("clear", range);
   EmitCopy(index, IntOperand(begin), range);
   EmitLabel(loop, range);
-  Operand target = ElementOperand(symbol, 0);
+  Operand target = ElementOperand(variable, 0);
   target.index = index.variable;
-  EmitCopy(target, zero, range);
-  Instruction step;
-  step.kind = Instruction::Kind::kBinary;
-  step.target = index;
-  step.a = index;
-  step.b = IntOperand(1);
-  Emit(std::move(step), range);
-  const Value more =
-      Compute(vm::BinaryOperator::kLess, index, IntOperand(end), BasicType::kInt, range);
-  EmitIf(more.operand, loop, range);
+  EmitCopy(target, ConstantOperand(target.type, 0), range);
+  StepTo(index, end, loop, range);
+}
+
+// Gives a number, an array or a structure of the card its values; those that a structure gives it
+// are there already.
+void Lowerer::InitialiseLeaf(int variable, const Type& type, const Elements& values,
+                             SourceRange range) {
+  const auto is_zero = [&values](size_t i) {
+    return values[i].value == nullptr && !values[i].of_structure;
+  };
+  for (size_t i = 0; i < values.size();) {
+    if (is_zero(i)) {
+      size_t end = i;
+      while (end < values.size() && is_zero(end)) ++end;
+      ClearElements(variable, static_cast<int64_t>(i), static_cast<int64_t>(end), range);
+      i = end;
+      continue;
+    }
+    if (!values[i].of_structure) {
+      Place place = {ElementOperand(variable, static_cast<int64_t>(i)), type};
+      if (type.structure != nullptr)
+        place.type = PartOf({type, {}}, static_cast<int64_t>(i)).shape.type;
+      AssignInto(place, *values[i].value);
+    }
+    ++i;
+  }
 }
 
 void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol) {
   const Expression* value = declarator.initialiser.get();
+  const Shape whole = {symbol.type, symbol.dimensions};
   BeginFullExpression(declarator.range);
-  const bool aggregate = !symbol.dimensions.empty() || symbol.type.structure != nullptr;
-  if (!aggregate) {
+  if (!IsAggregate(whole)) {
     const Operand target = VariableOperand(symbol.variable);
     value = ScalarValue(*value);
     if (value != nullptr) {
@@ -279,42 +365,39 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
     }
     return;
   }
-  if (symbol.type.structure != nullptr && value->kind != Expression::Kind::kBraces) {
+  if (symbol.dimensions.empty() && value->kind != Expression::Kind::kBraces) {
+    if (symbol.type.own != nullptr) {
+      StoreStructure(PlaceAt(symbol, 0, symbol.type.own), *value);
+      return;
+    }
     const std::optional<Place> source = LowerPlace(*value);
     if (source && source->type.structure == symbol.type.structure) {
-      for (size_t i = 0; i < symbol.type.structure->members.size(); ++i) {
-        const Operand target = ElementOperand(symbol, static_cast<int64_t>(i));
-        Operand from = target;
-        from.variable = source->operand.variable;
-        EmitCopy(target, from, value->range);
-      }
+      ArrayPlace from;
+      from.variable = source->operand.variable;
+      CopyLeaf(PlaceAt(symbol, 0, nullptr), from, value->range);
       return;
     }
   }
-  const std::optional<Elements> elements = ElementsOf(declarator, symbol);
+  std::optional<Elements> elements = ElementsOf(declarator, symbol);
   if (!elements) return;
-  const int64_t size = symbol.type.structure != nullptr
-                           ? static_cast<int64_t>(symbol.type.structure->members.size())
-                           : Product(symbol.dimensions, 0);
-  const auto at = [&elements](int64_t i) {
-    return static_cast<size_t>(i) < elements->size() ? (*elements)[static_cast<size_t>(i)]
-                                                     : nullptr;
-  };
-  for (int64_t i = 0; i < size;) {
-    if (at(i) == nullptr) {
-      int64_t end = i;
-      while (end < size && at(end) == nullptr) ++end;
-      ClearElements(symbol, i, end, declarator.range);
-      i = end;
-      continue;
+  elements->resize(static_cast<size_t>(Width(whole)));
+  // C leaves the order of the values open. Those of one variable of the card come together.
+  const size_t leaves = symbol.type.own != nullptr ? symbol.type.own->leaves.size() : 1;
+  std::vector<Elements> values(leaves);
+  for (size_t i = 0; i < elements->size(); ++i) {
+    const Element& element = (*elements)[i];
+    const ArrayPlace place = PlaceAt(symbol, static_cast<int64_t>(i), nullptr);
+    Elements& of_leaf = values[static_cast<size_t>(place.variable - symbol.variable)];
+    of_leaf.resize(std::max(of_leaf.size(), static_cast<size_t>(place.offset.value) + 1));
+    of_leaf[static_cast<size_t>(place.offset.value)] = element;
+    if (element.of_structure && element.value != nullptr) {
+      const OwnStructure* const own = ShapeOf(*element.value)->type.own;
+      StoreStructure(PlaceAt(symbol, static_cast<int64_t>(i), own), *element.value);
     }
-    Place place = {ElementOperand(symbol, i), symbol.type};
-    if (symbol.type.structure != nullptr) {
-      place.type = Type();
-      place.type.basic = MemberType(symbol.type.structure->members[static_cast<size_t>(i)]);
-    }
-    AssignInto(place, *at(i));
-    ++i;
+  }
+  for (size_t i = 0; i < leaves; ++i) {
+    const Type& type = symbol.type.own != nullptr ? symbol.type.own->leaves[i].type : symbol.type;
+    InitialiseLeaf(symbol.variable + static_cast<int>(i), type, values[i], declarator.range);
   }
 }
 

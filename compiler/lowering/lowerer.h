@@ -1,9 +1,10 @@
 // Translates the tree of a structured program to the statements of the card, construct by
 // construct: program.cc has the functions and the order of work, declarations.cc and
-// initialisers.cc variables, statements.cc, loops.cc and switches.cc statements, expressions.cc,
-// unsigned.cc, conversions.cc, conditions.cc, assignments.cc and places.cc expressions, calls.cc
-// own functions, asserts.cc comments, shared_bodies.cc those whose statements stand once for
-// several calls, commands.cc GT commands, start.cc initial values of globals.
+// initialisers.cc variables, structures.cc those of structures, statements.cc, loops.cc and
+// switches.cc statements, expressions.cc, unsigned.cc, conversions.cc, conditions.cc,
+// assignments.cc and places.cc expressions, calls.cc own functions, asserts.cc comments,
+// shared_bodies.cc those whose statements stand once for several calls, commands.cc GT commands,
+// start.cc initial values of globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -208,14 +209,20 @@ class Lowerer {
     int64_t first = 0;
     int64_t last = 0;
   };
-  // The values of an aggregate's initialiser in order; nullptr: 0.
-  using Elements = std::vector<const Expression*>;
+  // A value of an aggregate's initialiser.
+  struct Element {
+    const Expression* value = nullptr;  // nullptr: 0
+    // It is one of those that a structure of the program gives, which is the value of the first.
+    bool of_structure = false;
+  };
+  using Elements = std::vector<Element>;
   struct Filling {
     std::string_view name;  // of the variable
     Elements elements;
   };
 
   // --- program.cc ---
+  void ReserveGlobals(const Tree& tree);
   void DeclareFunction(const Function& syntax);
   void CollectCalls(FunctionInfo& info);
   bool Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path);
@@ -228,6 +235,7 @@ class Lowerer {
   Type TypeFrom(const Specifiers& specifiers, const Scope* scope) const;
   void DefineType(const Declarator& declarator, const Type& type);
   bool HasWord(const Specifiers& specifiers, std::string_view word) const;
+  void DefineTypesOf(const Specifiers& specifiers);
   virtual void LowerDeclaration(const Statement& statement);
   void DefineEnumeration(const Enumeration& enumeration);
   void CheckNameLength(std::string_view name, SourceRange range);
@@ -249,6 +257,23 @@ class Lowerer {
   std::string NewGlobalName(std::string_view wish);
   int NewGlobal(std::string name, const Type& type, int size, SourceRange range);
 
+  // --- structures.cc ---
+  const OwnStructure* FindStructure(const StructSpecifier& syntax, const Scope* scope) const;
+  bool IsComplete(const Type& type, const Declarator& declarator);
+  bool CanRepeat(const Type& type, const Declarator& declarator);
+  void DefineStructure(const StructSpecifier& syntax);
+  void AddMember(OwnStructure& structure, const Declarator& declarator, const Type& type);
+  static const OwnMember* MemberOf(const OwnStructure& structure, std::string_view name);
+  void ReportNoMember(const OwnStructure& structure, std::string_view name, SourceRange range);
+  void Narrow(ArrayPlace& place, const OwnMember& member, SourceRange range);
+  std::optional<ArrayPlace> LowerOwnMember(const Expression& expression);
+  std::optional<ArrayPlace> LowerStructure(const Expression& expression);
+  std::optional<ArrayPlace> AssignStructure(const Expression& target, const Expression& value);
+  void StoreStructure(const ArrayPlace& to, const Expression& value);
+  void CopyStructure(const ArrayPlace& to, const ArrayPlace& from, SourceRange range);
+  void CopyLeaf(ArrayPlace to, ArrayPlace from, SourceRange range);
+  void StepTo(const Operand& index, int64_t size, int loop, SourceRange range);
+
   // --- initialisers.cc ---
   void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
   void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
@@ -256,8 +281,10 @@ class Lowerer {
   static int64_t Width(const Shape& shape);
   static bool IsAggregate(const Shape& shape);
   Part PartOf(const Shape& whole, int64_t number) const;
+  int64_t PartNumberAt(const Shape& whole, int64_t position) const;
   Shape PartAt(const Shape& whole, int64_t position) const;
   Shape PartFor(const Expression& item, Shape part) const;
+  bool HasType(const Expression& value, const Shape& shape) const;
   std::optional<Designation> Designate(const Expression& designator, const Shape& whole,
                                        std::string_view name);
   bool Flatten(const Expression& braces, const Shape& whole, int64_t base, Filling& filling);
@@ -265,8 +292,10 @@ class Lowerer {
   bool FlattenDesignated(const Expression& item, const Shape& whole, int64_t base, Filling& filling,
                          int64_t* position);
   std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);
-  void ClearElements(const Symbol& symbol, int64_t begin, int64_t end, SourceRange range);
-  Operand ElementOperand(const Symbol& symbol, int64_t index) const;
+  ArrayPlace PlaceAt(const Symbol& symbol, int64_t position, const OwnStructure* own) const;
+  void InitialiseLeaf(int variable, const Type& type, const Elements& values, SourceRange range);
+  void ClearElements(int variable, int64_t begin, int64_t end, SourceRange range);
+  Operand ElementOperand(int variable, int64_t index) const;
 
   // --- statements.cc ---
   void LowerBody(const std::vector<StatementPtr>& items);
@@ -307,6 +336,8 @@ class Lowerer {
   // --- type_of.cc ---
   std::optional<Shape> ShapeOf(const Expression& expression) const;
   BasicType TypeOf(const Expression& expression);
+  static int64_t SizeOfType(const Type& type);
+  static int64_t AlignmentOf(const Type& type);
   static std::optional<int64_t> MemberNumber(const Type& type, std::string_view name);
   static std::string_view NameOfStructure(const Type& type);
   virtual BasicType MemberType(const gtcalls::Member& member) const;
@@ -354,6 +385,8 @@ class Lowerer {
   void Advance(ArrayPlace& array, const Operand& count, bool back, SourceRange range);
   std::optional<Operand> ElementOf(const ArrayPlace& array, SourceRange range);
   std::optional<Place> LowerElement(const Expression& expression);
+  void ReportStructure(const Expression& expression);
+  bool IsOwnMember(const Expression& expression) const;
   std::optional<Place> LowerMember(const Expression& expression);
   void ReportUndeclared(const Expression& name);
   bool CheckWritable(const Place& place, const Expression& expression);
@@ -368,7 +401,7 @@ class Lowerer {
   Value Store(const Place& place, Value value, SourceRange range, bool value_used);
   Value Update(Place place, const vm::OperatorInfo& info, const Value& change,
                const Expression& expression, bool value_used);
-  bool AssignStructure(const Expression& target, const Expression& value);
+  bool AssignCardStructure(const Expression& target, const Expression& value);
 
   // --- calls.cc ---
   Value LowerCall(const Expression& expression);
@@ -437,6 +470,8 @@ class Lowerer {
   NameMaker global_names_;
   std::unordered_set<std::string> local_names_;   // of all functions
   std::unordered_map<const void*, int> statics_;  // variables of static locals by declarator
+  // Those that the program defines; a function that is inlined twice has its own once.
+  std::unordered_map<const StructSpecifier*, OwnStructure> structures_;
   std::vector<InitialValue> initial_values_;
   // Those before each statement.
   std::unordered_map<const Statement*, std::vector<AssertComment>> asserts_;

@@ -57,7 +57,7 @@ std::optional<ArrayPlace> Lowerer::LowerNamedArray(const Expression& name) {
     return std::nullopt;
   }
   if (!IsUsable(*symbol, name.text)) return std::nullopt;
-  if (symbol->dimensions.empty()) {
+  if (symbol->dimensions.empty() && symbol->type.own == nullptr) {
     Report(Code::kMisuse, name.range, name.text, MakeMessage("not an array", "不是数组"),
            MakeMessage("an array before '['", "'[' 之前应为数组"));
     return std::nullopt;
@@ -208,6 +208,7 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   const Expression& inner = WithoutParens(expression);
   if (inner.kind == Kind::kName) return LowerNamedArray(inner);
   if (inner.kind == Kind::kUnary && inner.op == "&") return LowerAddressed(*inner.operands[0]);
+  if (inner.kind == Kind::kMember && IsOwnMember(inner)) return LowerOwnMember(inner);
   if (inner.kind == Kind::kBinary && IsArray(inner)) return LowerArraySum(inner);
   if (MovesOf(inner) != nullptr && IsArray(inner)) return LowerMove(inner, true);
   if (inner.kind == Kind::kComma) {
@@ -228,6 +229,10 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   }
   std::optional<ArrayPlace> array = LowerArray(*inner.operands[0]);
   if (!array) return std::nullopt;
+  if (array->dimensions.empty() && array->element.own != nullptr) {
+    ReportStructure(*inner.operands[0]);
+    return std::nullopt;
+  }
   if (array->dimensions.empty()) {
     Report(Code::kMisuse, inner.operands[0]->range, Source(inner.operands[0]->range),
            MakeMessage("an element", "数组元素"), MakeMessage("fewer indices", "更少的下标"));
@@ -290,9 +295,25 @@ std::optional<Place> Lowerer::LowerElement(const Expression& expression) {
     Report(Code::kArrayWithoutIndex, expression.range, Source(expression.range));
     return std::nullopt;
   }
+  if (array->element.own != nullptr) {
+    ReportStructure(expression);
+    return std::nullopt;
+  }
   const std::optional<Operand> operand = ElementOf(*array, expression.range);
   if (!operand) return std::nullopt;
   return Place{*operand, array->element};
+}
+
+// Where a number is expected.
+void Lowerer::ReportStructure(const Expression& expression) {
+  Report(Code::kMisuse, expression.range, Source(expression.range),
+         MakeMessage("a structure", "结构"), MakeMessage("one of its members", "它的成员"));
+}
+
+// A member of a structure of the program, not of the card.
+bool Lowerer::IsOwnMember(const Expression& expression) const {
+  const std::optional<Shape> whole = ShapeOf(*expression.operands[0]);
+  return whole && whole->type.own != nullptr;
 }
 
 std::optional<Place> Lowerer::LowerMember(const Expression& expression) {
@@ -328,7 +349,7 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
       if (inner.op == "*") return LowerElement(inner);
       break;
     case Expression::Kind::kMember:
-      return LowerMember(inner);
+      return IsOwnMember(inner) ? LowerElement(inner) : LowerMember(inner);
     case Expression::Kind::kName: {
       const Symbol* symbol = Lookup(inner.text);
       if (symbol == nullptr) {
@@ -343,6 +364,10 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
       if (symbol->kind == Symbol::Kind::kFunction) break;
       if (!symbol->dimensions.empty()) {
         Report(Code::kArrayWithoutIndex, inner.range, inner.text);
+        return std::nullopt;
+      }
+      if (symbol->type.own != nullptr) {
+        ReportStructure(inner);
         return std::nullopt;
       }
       return Place{VariableOperand(symbol->variable), symbol->type};

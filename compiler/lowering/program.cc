@@ -49,7 +49,7 @@ void Lowerer::DeclareFunction(const Function& syntax) {
            MakeMessage("a function whose result is an array", "返回数组的函数"),
            MakeMessage("write the result to an array parameter", "请把结果写入数组参数"));
   }
-  if (info.type.structure != nullptr) {
+  if (info.type.basic == BasicType::kStructure) {
     Report(Code::kNotLowered, syntax.specifiers.range,
            MakeMessage("a function whose result is a structure", "返回结构的函数"),
            MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
@@ -149,7 +149,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
     const Type type = ResolveGlobalType(parameter.specifiers);
     const Declarator& declarator = parameter.declarator;
     if (type.basic == BasicType::kVoid) continue;
-    if (IsReference(declarator, type) || type.structure != nullptr) {
+    if (IsReference(declarator, type) || type.basic == BasicType::kStructure) {
       Report(Code::kThreadParameter, parameter.range, declarator.name, syntax.name);
       Symbol unusable;
       unusable.range = declarator.name_range;
@@ -174,9 +174,18 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   return function;
 }
 
+// The names of globals, so that the members of structures get others.
+void Lowerer::ReserveGlobals(const Tree& tree) {
+  for (const StatementPtr& item : tree.items) {
+    if (item->kind == Statement::Kind::kFunction) global_names_.Reserve(item->function->name);
+    for (const Declarator& declarator : item->declarators) global_names_.Reserve(declarator.name);
+  }
+}
+
 Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asserts) {
   scopes_.emplace_back();
   for (const std::string_view word : kReserved) global_names_.Reserve(word);
+  ReserveGlobals(tree);
   for (const StatementPtr& item : tree.items) {
     ++order_;
     switch (item->kind) {

@@ -83,6 +83,18 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
     place->is_pointer = true;
     return place;
   }
+  if (inner.kind == Kind::kComma) return operand(1);
+  if (inner.kind == Kind::kMember) {
+    std::optional<Shape> whole = operand(0);
+    if (!whole || !whole->dimensions.empty() || whole->type.basic != BasicType::kStructure) {
+      return std::nullopt;
+    }
+    const std::optional<int64_t> number = MemberNumber(whole->type, inner.text);
+    if (!number) return std::nullopt;
+    Shape member = PartOf(*whole, *number).shape;
+    member.type.is_const |= whole->type.is_const;
+    return member;
+  }
   if (inner.kind == Kind::kIndex || (inner.kind == Kind::kUnary && inner.op == "*")) {
     std::optional<Shape> array = operand(0);
     if (!is_array(array)) return std::nullopt;
@@ -95,14 +107,34 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
 
 // Which member of a structure has a name.
 std::optional<int64_t> Lowerer::MemberNumber(const Type& type, std::string_view name) {
-  const auto& members = type.structure->members;
-  for (size_t i = 0; i < members.size(); ++i) {
-    if (members[i].name == name) return static_cast<int64_t>(i);
-  }
-  return std::nullopt;
+  const auto find = [name](const auto& members) -> std::optional<int64_t> {
+    for (size_t i = 0; i < members.size(); ++i) {
+      if (members[i].name == name) return static_cast<int64_t>(i);
+    }
+    return std::nullopt;
+  };
+  return type.own != nullptr ? find(type.own->members) : find(type.structure->members);
 }
 
-std::string_view Lowerer::NameOfStructure(const Type& type) { return type.structure->name; }
+std::string_view Lowerer::NameOfStructure(const Type& type) {
+  return type.own != nullptr ? type.own->name : type.structure->name;
+}
+
+// Bytes, as the controllers' compilers lay types out.
+int64_t Lowerer::SizeOfType(const Type& type) {
+  if (type.own != nullptr) return type.own->bytes;
+  return type.structure != nullptr ? SizeOfStructure(*type.structure) : SizeOf(type.basic);
+}
+
+int64_t Lowerer::AlignmentOf(const Type& type) {
+  if (type.own != nullptr) return type.own->alignment;
+  if (type.structure == nullptr) return SizeOf(type.basic);
+  int64_t alignment = 1;
+  for (const gtcalls::Member& member : type.structure->members) {
+    alignment = std::max(alignment, int64_t{SizeOf(TypeOfMember(member))});
+  }
+  return alignment;
+}
 
 BasicType Lowerer::MemberType(const gtcalls::Member& member) const { return TypeOfMember(member); }
 
@@ -110,8 +142,8 @@ std::optional<BasicType> Lowerer::CastType(const Expression& expression) {
   const TypeName& name = *expression.type;
   if (!name.sizes.empty()) return std::nullopt;
   const Type type = ResolveType(name.specifiers);
-  return type.structure != nullptr || type.rows != nullptr ? std::nullopt
-                                                           : std::optional(type.basic);
+  return type.basic == BasicType::kStructure || type.rows != nullptr ? std::nullopt
+                                                                     : std::optional(type.basic);
 }
 
 // Empty for what has no size here.
@@ -119,10 +151,6 @@ std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
   const auto product = [](int64_t size, const std::vector<int64_t>& dimensions, size_t from) {
     for (size_t i = from; i < dimensions.size(); ++i) size *= dimensions[i];
     return size > 0 ? std::optional(size) : std::nullopt;
-  };
-  const auto size_of = [](const Type& type) {
-    return type.structure != nullptr ? SizeOfStructure(*type.structure)
-                                     : int64_t{SizeOf(type.basic)};
   };
   if (expression.type != nullptr) {
     const Type type = ResolveType(expression.type->specifiers);
@@ -135,12 +163,12 @@ std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
     if (type.rows != nullptr) {
       dimensions.insert(dimensions.end(), type.rows->begin(), type.rows->end());
     }
-    return product(size_of(type), dimensions, 0);
+    return product(SizeOfType(type), dimensions, 0);
   }
   const Expression& operand = WithoutParens(*expression.operands[0]);
   if (const std::optional<Shape> shape = ShapeOf(operand)) {
     if (shape->is_pointer) return SizeOf(BasicType::kUnsigned);
-    return product(size_of(shape->type), shape->dimensions, 0);
+    return product(SizeOfType(shape->type), shape->dimensions, 0);
   }
   const BasicType type = TypeOf(operand);
   return IsArithmetic(type) ? std::optional<int64_t>(SizeOf(type)) : std::nullopt;
@@ -171,13 +199,8 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
     case Kind::kComma:
       return operand(1);
     case Kind::kMember: {
-      const Expression& structure = WithoutParens(*expression.operands[0]);
-      const Symbol* symbol = structure.kind == Kind::kName ? Lookup(structure.text) : nullptr;
-      if (symbol == nullptr || symbol->type.structure == nullptr) return BasicType::kInt;
-      for (const gtcalls::Member& member : symbol->type.structure->members) {
-        if (member.name == expression.text) return MemberType(member);
-      }
-      return BasicType::kInt;
+      const std::optional<Shape> member = ShapeOf(expression);
+      return member ? member->type.basic : BasicType::kInt;
     }
     case Kind::kUnary:
       if (expression.op == "!") return BasicType::kInt;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,14 +27,47 @@ enum class BasicType : uint8_t {
   kStructure
 };
 
+struct OwnStructure;
+
 /// A type of C with its qualifiers.
 struct Type {
   BasicType basic = BasicType::kInt;
-  const gtcalls::Structure* structure = nullptr;
+  const gtcalls::Structure* structure = nullptr;  ///< one of the card
+  const OwnStructure* own = nullptr;              ///< one that the program defines
   bool is_const = false;
   /// The dimensions of a named array type, `typedef int row[4];`; nullptr for any other type. Only
   /// a declaration has it: what it declares has dimensions itself.
   const std::vector<int64_t>* rows = nullptr;
+};
+
+/// A member of a structure that the program defines.
+struct OwnMember {
+  std::string_view name;
+  Type type;
+  std::vector<int64_t> dimensions;
+  int leaf = 0;       ///< its first one among the leaves of the structure
+  int64_t begin = 0;  ///< its first value among those of the structure
+};
+
+/// What a structure has a variable of the card for: a number, an array of numbers, or a structure
+/// of the card.
+struct Leaf {
+  std::string name;  ///< `m`, or `inner_m` of a structure in it
+  Type type;
+  bool is_array = false;
+  int64_t size = 1;  ///< values of an array; several dimensions are one
+};
+
+/// A structure that the program defines.
+struct OwnStructure {
+  std::string_view name;  ///< `struct Name`
+  bool complete = false;  ///< the members are known
+  bool invalid = false;   ///< there was an error, and some members may be missing
+  std::vector<OwnMember> members;
+  std::vector<Leaf> leaves;
+  int64_t values = 0;  ///< numbers in it
+  int64_t bytes = 0;
+  int64_t alignment = 1;
 };
 
 constexpr bool IsInteger(BasicType type) {
