@@ -77,6 +77,14 @@ std::optional<int64_t> TakeIndex(std::string_view* text) {
   return index;
 }
 
+// The next `.m` of a text, which is then behind it; empty if there is none.
+std::string_view TakeMember(std::string_view* text) {
+  if (!text->starts_with('.') || text->size() == 1) return {};
+  const std::string_view name = text->substr(1, WordLength(text->substr(1)));
+  text->remove_prefix(1 + name.size());
+  return name;
+}
+
 }  // namespace
 
 void Lowerer::PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& asserts) {
@@ -106,17 +114,26 @@ bool Lowerer::HasAssert(const Statement& statement) const {
   return asserts_.contains(&statement);
 }
 
-// The element of an array that its indices name; -1 if they do not name one.
-int64_t Lowerer::NamedElement(const Symbol& symbol, std::string_view* indices) {
-  if (!symbol.offset.IsConstant()) return -1;
-  int64_t element = 0;
-  for (size_t i = 0; i < symbol.dimensions.size(); ++i) {
-    const std::optional<int64_t> index = TakeIndex(indices);
-    const int64_t size = symbol.dimensions[i];
-    if (!index || (size > 0 && *index >= size)) return -1;
-    element = element * size + *index;
+// What the indices and members behind a name name, without them; nullopt if that is no number or
+// structure of the card whose place is known.
+std::optional<ArrayPlace> Lowerer::NamedPlace(const Symbol& symbol, std::string_view* text) {
+  if (!symbol.dimensions.empty() && !symbol.offset.IsConstant()) return std::nullopt;
+  ArrayPlace place = {symbol.variable, symbol.offset, symbol.dimensions, symbol.type, {}};
+  for (;;) {
+    int64_t element = 0;
+    for (const int64_t size : place.dimensions) {
+      const std::optional<int64_t> index = TakeIndex(text);
+      if (!index || (size > 0 && *index >= size)) return std::nullopt;
+      element = element * size + *index;
+    }
+    place.offset.value += element;
+    place.dimensions.clear();
+    if (place.element.own == nullptr) return place;
+    const std::string_view name = TakeMember(text);
+    const OwnMember* const member = MemberOf(*place.element.own, name);
+    if (member == nullptr) return std::nullopt;
+    Narrow(place, *member, symbol.range);
   }
-  return symbol.offset.value + element;
 }
 
 void Lowerer::EmitAsserts(const Statement& statement) {
@@ -141,7 +158,7 @@ void Lowerer::EmitAsserts(const Statement& statement) {
       const bool part = symbol != nullptr && rest.starts_with('.');
       const bool known = symbol != nullptr && IsUsable(*symbol, word) &&
                          symbol->kind != Symbol::Kind::kFunction &&
-                         (!part || symbol->type.structure != nullptr);
+                         (!part || symbol->type.basic == BasicType::kStructure);
       if (!known) {
         text += word;
         continue;
@@ -150,21 +167,19 @@ void Lowerer::EmitAsserts(const Statement& statement) {
         text += '(' + symbol->constant.value.Text() + ')';
         continue;
       }
-      Operand operand = VariableOperand(symbol->variable);
+      const std::optional<ArrayPlace> place = NamedPlace(*symbol, &rest);
+      if (!place) {
+        Report(Code::kMisplacedAssert, comment.range,
+               MakeMessage("names no element of '{0}' whose place is known",
+                           "没有指明 '{0}' 中位置已知的元素", word));
+        return;
+      }
+      Operand operand = VariableOperand(place->variable);
       int64_t element = -1;
-      if (!symbol->dimensions.empty()) {
-        element = NamedElement(*symbol, &rest);
-        if (element < 0) {
-          Report(Code::kMisplacedAssert, comment.range,
-                 MakeMessage("names no element of '{0}' whose place is known",
-                             "没有指明 '{0}' 中位置已知的元素", word));
-          return;
-        }
-        const bool number = program_.variables[static_cast<size_t>(symbol->variable)].size == 0;
-        if (!number) operand.kind = Operand::Kind::kElement;
-        if (!number) operand.value = element;
-        if (number) element = -1;
-      } else if (symbol->type.structure != nullptr) {
+      if (program_.variables[static_cast<size_t>(place->variable)].size > 0) {
+        operand.kind = Operand::Kind::kElement;
+        operand.value = element = place->offset.value;
+      } else if (place->element.structure != nullptr) {
         operand.kind = Operand::Kind::kMember;
       }
       assertion.texts.push_back(std::exchange(text, {}));

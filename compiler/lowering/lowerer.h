@@ -318,7 +318,7 @@ class Lowerer {
   // --- asserts.cc ---
   void PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& asserts);
   bool HasAssert(const Statement& statement) const;
-  static int64_t NamedElement(const Symbol& symbol, std::string_view* indices);
+  std::optional<ArrayPlace> NamedPlace(const Symbol& symbol, std::string_view* text);
   void EmitAsserts(const Statement& statement);
 
   // --- expressions.cc ---

@@ -61,6 +61,7 @@ void t0(void) {
   constant = fixed.x * 100 + fixed.y;
   tick();
   tick();
+  //@ assert: c.x == 2 && one.from.x > 20
   local = sizeof(struct point) + sizeof p * 10 + sizeof(line) * 100 + sizeof one.from.y;
 }
 // expect: p_x=40, q_y=9, one_tag=38, one_weight=1.5, two_weight=1.5, origin_x=1, origin_y=2
