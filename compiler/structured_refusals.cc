@@ -195,13 +195,13 @@ void Refusals::VisitHead(const Function& function) {
     VisitSpecifiers(specifiers,
                     declarator.pointer > 0 && !reference ? Use::kPointer : Use::kParameter);
     if (declarator.pointer > 0 && !reference) {
-      AddNote(
-          ReportPointer(declarator,
-                        declarator.name.empty() ? parameter.range : declarator.name_range),
-          MakeMessage("a parameter may be 'int *{0}' for a number or an array of the caller, with "
-                      "one star and a type of numbers",
-                      "参数可以写作 'int *{0}'，代表调用者的数或数组：只有一个星号，类型为数",
-                      NameOrWord(declarator)));
+      AddNote(ReportPointer(declarator,
+                            declarator.name.empty() ? parameter.range : declarator.name_range),
+              MakeMessage(
+                  "a parameter may be 'int *{0}' for a number or an array of the caller, with "
+                  "one star and a type of numbers or a struct",
+                  "参数可以写作 'int *{0}'，代表调用者的数或数组：只有一个星号，类型为数或 struct",
+                  NameOrWord(declarator)));
     }
     VisitSizesAndValues(declarator);
     if (!function.prototype && declarator.name.empty()) {
@@ -415,11 +415,6 @@ void Refusals::Visit(const Expression* expression) {
     case EKind::kCall:
       VisitCall(*expression);
       return;
-    case EKind::kMember:
-      if (expression->op == "->") {
-        reporter_.Report(Code::kNeedsPointer, expression->range, expression->op);
-      }
-      break;
     case EKind::kUnary: {
       const Expression& operand = *expression->operands[0];
       if (expression->op == "-" && operand.kind == EKind::kLiteral) {

@@ -78,7 +78,7 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
                                                       const FunctionInfo& info) {
   const Declarator& declarator = parameter.declarator;
   const Type type = ResolveGlobalType(parameter.specifiers);
-  if (type.basic == BasicType::kStructure) {
+  if (type.structure != nullptr) {
     Report(Code::kBadParameter, parameter.range, Source(parameter.range));
     return std::nullopt;
   }
@@ -88,9 +88,15 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
   const bool same_rows =
       array->dimensions.size() == dimensions->size() &&
       std::equal(dimensions->begin() + 1, dimensions->end(), array->dimensions.begin() + 1);
-  if (!same_rows || array->element.basic != type.basic) {
-    Report(Code::kArrayArgument, argument.range, Source(argument.range), info.syntax->name,
-           Source(parameter.range));
+  if (!same_rows || array->element.basic != type.basic || array->element.own != type.own) {
+    Diagnostic* const diagnostic =
+        Report(Code::kArrayArgument, argument.range, Source(argument.range), info.syntax->name,
+               Source(parameter.range));
+    const bool whole = array->dimensions.empty() && array->element.own == type.own;
+    if (diagnostic != nullptr && whole) {
+      AddNote(*diagnostic, MakeMessage("pass its address: '&{0}'", "请传递其地址：'&{0}'",
+                                       Source(argument.range)));
+    }
     return std::nullopt;
   }
   // How many elements there are is that of the argument.
@@ -126,7 +132,8 @@ void Lowerer::KeepOffsets(Scope& scope, SourceRange range) {
   for (Symbol* symbol : references) {
     const bool changes =
         std::any_of(references.begin(), references.end(), [&](const Symbol* other) {
-          return symbol->offset.IsVariable() && other->variable == symbol->offset.variable;
+          const int leaf = symbol->offset.variable - other->variable;
+          return symbol->offset.IsVariable() && leaf >= 0 && leaf < LeavesOf(other->type);
         });
     if (!changes) continue;
     const Operand kept = NewTemporary(vm::DataType::kInt, range);
@@ -156,6 +163,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     Place place;
     Value value;
     SourceRange range;
+    std::optional<ArrayPlace> structure;  // that of a parameter that is one
   };
   std::vector<Argument> copies;
   bool good = true;
@@ -179,10 +187,22 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
             parameters[i], Variable::Role::kLocal,
             fmt::format("{}_{}", syntax.name, declarator.name), Type{}, 0, declarator.name_range));
         symbol.dimensions.front() = 0;
-        copies.push_back({{symbol.offset, Type{}}, offset, argument.range});
+        copies.push_back({{symbol.offset, Type{}}, offset, argument.range, {}});
       }
+    } else if (type.own != nullptr) {
+      const std::optional<ArrayPlace> structure = LowerStructure(argument);
+      if (!structure || !IsComplete(type, declarator)) return false;
+      if (structure->element.own != type.own) {
+        Report(Code::kArrayArgument, argument.range, Source(argument.range), syntax.name,
+               Source(parameters[i]->range));
+        return false;
+      }
+      symbol.variable = VariableOf(parameters[i], Variable::Role::kLocal,
+                                   fmt::format("{}_{}", syntax.name, declarator.name), type, 0,
+                                   declarator.name_range);
+      copies.push_back({{VariableOperand(symbol.variable), type}, {}, argument.range, structure});
     } else {
-      if (type.basic == BasicType::kStructure) {
+      if (type.structure != nullptr) {
         Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
         return false;
       }
@@ -195,13 +215,39 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       symbol.variable = VariableOf(parameters[i], Variable::Role::kLocal,
                                    fmt::format("{}_{}", syntax.name, declarator.name), type, 0,
                                    declarator.name_range);
-      copies.push_back({{VariableOperand(symbol.variable), type}, value, argument.range});
+      copies.push_back({{VariableOperand(symbol.variable), type}, value, argument.range, {}});
     }
     if (!declarator.name.empty()) scope.emplace(declarator.name, std::move(symbol));
   }
   KeepOffsets(scope, call.range);
-  for (const Argument& copy : copies) Store(copy.place, copy.value, copy.range, false);
+  for (const Argument& copy : copies) {
+    if (copy.structure) {
+      CopyStructure(StructureAt(copy.place.operand.variable, copy.place.type), *copy.structure,
+                    copy.range);
+    } else {
+      Store(copy.place, copy.value, copy.range, false);
+    }
+  }
   return good;
+}
+
+// What holds the result of a call; of a structure, its first variable.
+Operand Lowerer::NewResult(const Expression& call, const FunctionInfo& info) {
+  const Type& type = info.type;
+  if (type.own == nullptr) return NewTemporary(DataTypeOf(type.basic), call.range);
+  const bool numbers = std::none_of(
+      type.own->leaves.begin(), type.own->leaves.end(),
+      [](const Leaf& leaf) { return leaf.is_array || leaf.type.structure != nullptr; });
+  if (!numbers) {
+    return VariableOperand(VariableOf(&call, Variable::Role::kLocal,
+                                      fmt::format("{}_result", info.syntax->name), type, 0,
+                                      call.range));
+  }
+  const int first = static_cast<int>(program_.variables.size());
+  for (const Leaf& leaf : type.own->leaves) {
+    NewTemporary(DataTypeOf(leaf.type.basic), call.range);
+  }
+  return VariableOperand(first);
 }
 
 Value Lowerer::LowerOwnCall(const Expression& call, FunctionInfo& info) {
@@ -212,7 +258,7 @@ Value Lowerer::LowerOwnCall(const Expression& call, FunctionInfo& info) {
   Scope scope;
   if (!BindArguments(call, info, scope)) return {};
   if (CanShare(info, scope)) return LowerSharedCall(call, info, std::move(scope));
-  if (type != BasicType::kVoid) result.operand = NewTemporary(DataTypeOf(type), call.range);
+  if (type != BasicType::kVoid) result.operand = NewResult(call, info);
   const int end = NewLabel(info.syntax->name, call.range, "end");
   const size_t before = out_->code.size();
   LowerBodyOf(call, info, std::move(scope), {frame_->body, end, result.operand});

@@ -102,7 +102,7 @@ Value Lowerer::LowerLogical(const Expression& expression) {
 
 Value Lowerer::LowerConditional(const Expression& expression) {
   const BasicType type = TypeOf(expression);
-  if (type == BasicType::kVoid) {
+  if (type == BasicType::kVoid || type == BasicType::kStructure) {
     const int otherwise = NewLabel("cond", expression.range, "else");
     const int end = NewLabel("cond", expression.range, "end");
     BranchIf(*expression.operands[0], false, otherwise);

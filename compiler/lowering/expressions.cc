@@ -198,8 +198,12 @@ Value Lowerer::LowerValue(const Expression& expression) {
       if (!RequireNumber(value, *expression.operands[0])) return {};
       return Convert(value, *type, expression.range);
     }
-    case Kind::kCall:
-      return LowerCall(expression);
+    case Kind::kCall: {
+      const Value value = LowerCall(expression);
+      if (value.type != BasicType::kStructure || IsVoid(value)) return value;
+      ReportStructure(expression);
+      return {};
+    }
     case Kind::kConditional:
       return LowerConditional(expression);
     case Kind::kComma:
@@ -244,6 +248,9 @@ void Lowerer::LowerEffect(const Expression& expression) {
       return;
     case Kind::kPostfix:
       LowerStep(expression, false);
+      return;
+    case Kind::kCall:
+      LowerCall(expression);
       return;
     case Kind::kUnary:
       if (expression.op == "++" || expression.op == "--") {

@@ -267,6 +267,8 @@ class Lowerer {
   void ReportNoMember(const OwnStructure& structure, std::string_view name, SourceRange range);
   void Narrow(ArrayPlace& place, const OwnMember& member, SourceRange range);
   std::optional<ArrayPlace> LowerOwnMember(const Expression& expression);
+  static ArrayPlace StructureAt(int variable, const Type& type);
+  static int LeavesOf(const Type& type);
   std::optional<ArrayPlace> LowerStructure(const Expression& expression);
   std::optional<ArrayPlace> AssignStructure(const Expression& target, const Expression& value);
   void StoreStructure(const ArrayPlace& to, const Expression& value);
@@ -405,6 +407,7 @@ class Lowerer {
 
   // --- calls.cc ---
   Value LowerCall(const Expression& expression);
+  Operand NewResult(const Expression& call, const FunctionInfo& info);
   Value LowerOwnCall(const Expression& call, FunctionInfo& info);
   void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
   std::optional<Symbol> BindReference(const ParameterDeclaration& parameter,

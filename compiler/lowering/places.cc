@@ -70,9 +70,11 @@ std::optional<ArrayPlace> Lowerer::LowerAddressed(const Expression& target) {
   const Expression& inner = WithoutParens(target);
   const Symbol* symbol = inner.kind == Expression::Kind::kName ? Lookup(inner.text) : nullptr;
   const bool number = symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
-                      symbol->dimensions.empty() && symbol->type.structure == nullptr;
-  if (inner.kind == Expression::Kind::kMember ||
-      (symbol != nullptr && !number && !IsArray(inner))) {
+                      symbol->dimensions.empty() && symbol->type.basic != BasicType::kStructure;
+  const std::optional<Shape> shape = ShapeOf(inner);
+  const bool own = shape && (shape->type.own != nullptr || !shape->dimensions.empty());
+  const bool member = inner.kind == Expression::Kind::kMember;
+  if ((member && !IsOwnMember(inner)) || (symbol != nullptr && !number && !own)) {
     Report(Code::kMisuse, inner.range, Source(inner.range),
            MakeMessage("nothing that a parameter can stand for", "不能由参数代表的内容"),
            MakeMessage("a variable or an array; copy it to one before the call, and back",
@@ -317,6 +319,10 @@ bool Lowerer::IsOwnMember(const Expression& expression) const {
 }
 
 std::optional<Place> Lowerer::LowerMember(const Expression& expression) {
+  if (expression.op == "->") {
+    Report(Code::kNeedsPointer, expression.range, expression.op);
+    return std::nullopt;
+  }
   const std::optional<Place> structure = LowerPlace(*expression.operands[0]);
   if (!structure) return std::nullopt;
   if (structure->type.structure == nullptr) {

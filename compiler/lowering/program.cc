@@ -49,7 +49,7 @@ void Lowerer::DeclareFunction(const Function& syntax) {
            MakeMessage("a function whose result is an array", "返回数组的函数"),
            MakeMessage("write the result to an array parameter", "请把结果写入数组参数"));
   }
-  if (info.type.basic == BasicType::kStructure) {
+  if (info.type.structure != nullptr) {
     Report(Code::kNotLowered, syntax.specifiers.range,
            MakeMessage("a function whose result is a structure", "返回结构的函数"),
            MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
@@ -139,6 +139,14 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   function.header = syntax.header;
   function.end = syntax.close_brace;
 
+  if (info.type.own != nullptr) {
+    Report(Code::kNotLowered, syntax.specifiers.range,
+           MakeMessage("a thread function whose result is a structure", "返回结构的线程函数"),
+           MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
+    function.end = syntax.close_brace;
+    out_ = nullptr;
+    return function;
+  }
   Frame frame;
   frame.info = &info;
   frame.scope_base = scopes_.size();

@@ -79,12 +79,12 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
     body->scope = scope;
     body->id = static_cast<int>(bodies_.size());
     body->back.push_back(back);
-    const auto make = [this, name, &call](std::string_view what, BasicType of) {
-      return VariableOperand(NewVariable(Variable::Role::kLocal, fmt::format("{}_{}", name, what),
-                                         Type{of}, 0, call.range));
+    const auto make = [this, name, &call](std::string_view what, const Type& of) {
+      return VariableOperand(
+          NewVariable(Variable::Role::kLocal, fmt::format("{}_{}", name, what), of, 0, call.range));
     };
-    body->number = make("call", BasicType::kInt);
-    if (type != BasicType::kVoid) body->result = make("result", type);
+    body->number = make("call", Type{});
+    if (type != BasicType::kVoid) body->result = make("result", info.type);
     body->begin = NewLabel(fmt::format("lbl_{}", name));
     body->end = NewLabel(name, call.range, "end");
     EmitCopy(body->number, IntOperand(0), call.range);
@@ -93,8 +93,13 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
   }
   if (type == BasicType::kVoid) return {Operand(), type, type};
   // Another call may follow before the result is used.
-  const Operand result = NewTemporary(DataTypeOf(type), call.range);
-  EmitCopy(result, body->result, call.range);
+  const Operand result = NewResult(call, info);
+  if (info.type.own != nullptr) {
+    CopyStructure(StructureAt(result.variable, info.type),
+                  StructureAt(body->result.variable, info.type), call.range);
+  } else {
+    EmitCopy(result, body->result, call.range);
+  }
   return {result, type, type};
 }
 

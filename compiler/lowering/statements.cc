@@ -78,7 +78,9 @@ void Lowerer::LowerReturn(const Statement& statement) {
       Report(Code::kReturnValue, expression.range, frame_->info->syntax->name);
       return;
     }
-    if (frame_->return_label >= 0) {
+    if (frame_->info->type.own != nullptr) {
+      StoreStructure(StructureAt(frame_->result.variable, frame_->info->type), expression);
+    } else if (frame_->return_label >= 0) {
       AssignInto({frame_->result, frame_->info->type}, expression);
     } else {
       const std::optional<TypedConstant> constant = Evaluate(expression);

@@ -169,10 +169,17 @@ void Lowerer::Narrow(ArrayPlace& place, const OwnMember& member, SourceRange ran
   place.name = Source(range);
 }
 
-// `s.m` of a structure of the program.
+// `s.m` and `p->m` of a structure of the program.
 std::optional<ArrayPlace> Lowerer::LowerOwnMember(const Expression& expression) {
-  std::optional<ArrayPlace> place = LowerStructure(*expression.operands[0]);
+  const Expression& whole = *expression.operands[0];
+  const bool arrow = expression.op == "->";
+  std::optional<ArrayPlace> place = arrow ? LowerArray(whole) : LowerStructure(whole);
   if (!place) return std::nullopt;
+  if (arrow && place->dimensions.size() != 1) {
+    Report(Code::kNeedsPointer, expression.range, expression.op);
+    return std::nullopt;
+  }
+  place->dimensions.clear();
   const OwnMember* const member = MemberOf(*place->element.own, expression.text);
   if (member == nullptr) {
     ReportNoMember(*place->element.own, expression.text, expression.op_range);
@@ -180,6 +187,21 @@ std::optional<ArrayPlace> Lowerer::LowerOwnMember(const Expression& expression) 
   }
   Narrow(*place, *member, expression.range);
   return place;
+}
+
+// A structure that is no part of another one, or of an array.
+ArrayPlace Lowerer::StructureAt(int variable, const Type& type) {
+  ArrayPlace place;
+  place.variable = variable;
+  place.offset = IntOperand(0);
+  place.element = type;
+  place.name = NameOfStructure(type);
+  return place;
+}
+
+// Variables of the card that a variable of a type becomes.
+int Lowerer::LeavesOf(const Type& type) {
+  return type.own != nullptr ? static_cast<int>(type.own->leaves.size()) : 1;
 }
 
 // Where a structure of the program is that is the value of an expression.
@@ -191,6 +213,27 @@ std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) 
   if (inner.kind == Expression::Kind::kComma) {
     LowerEffect(*inner.operands[0]);
     return LowerStructure(*inner.operands[1]);
+  }
+  if (inner.kind == Expression::Kind::kConditional) {
+    const std::optional<Shape> shape = ShapeOf(inner);
+    if (shape && shape->type.own != nullptr) {
+      const ArrayPlace chosen = StructureAt(
+          VariableOf(&inner, Variable::Role::kLocal, "chosen", shape->type, 0, inner.range),
+          shape->type);
+      StoreStructure(chosen, inner);
+      return chosen;
+    }
+  }
+  if (inner.kind == Expression::Kind::kCall) {
+    const std::optional<Shape> result = ShapeOf(inner);
+    const Value value = LowerCall(inner);
+    if (!RequireNumber(value, inner)) return std::nullopt;
+    if (result && result->type.own != nullptr) {
+      return StructureAt(value.operand.variable, result->type);
+    }
+    Report(Code::kMisuse, inner.range, Source(inner.range), MakeMessage("a number", "数"),
+           MakeMessage("a structure", "结构"));
+    return std::nullopt;
   }
   const std::optional<Shape> shape = ShapeOf(inner);
   const bool known = !shape || shape->invalid || shape->type.own != nullptr;

@@ -84,8 +84,21 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
     return place;
   }
   if (inner.kind == Kind::kComma) return operand(1);
+  if (inner.kind == Kind::kConditional) {
+    std::optional<Shape> yes = operand(1);
+    const bool is_structure = yes && !is_array(yes) && yes->type.own != nullptr;
+    return is_structure ? std::move(yes) : std::nullopt;
+  }
+  if (inner.kind == Kind::kCall) {
+    const Expression& callee = WithoutParens(*inner.operands[0]);
+    const Symbol* const symbol = callee.kind == Kind::kName ? Lookup(callee.text) : nullptr;
+    const bool is_structure =
+        symbol != nullptr && symbol->kind == Symbol::Kind::kFunction && symbol->type.own != nullptr;
+    return is_structure ? std::optional(Shape{symbol->type, {}}) : std::nullopt;
+  }
   if (inner.kind == Kind::kMember) {
     std::optional<Shape> whole = operand(0);
+    if (inner.op == "->" && whole && whole->dimensions.size() == 1) whole->dimensions.clear();
     if (!whole || !whole->dimensions.empty() || whole->type.basic != BasicType::kStructure) {
       return std::nullopt;
     }
@@ -226,6 +239,7 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
     case Kind::kConditional: {
       const BasicType yes = operand(1);
       const BasicType no = operand(2);
+      if (yes == BasicType::kStructure) return yes;
       return IsArithmetic(yes) && IsArithmetic(no) ? Common(yes, no) : BasicType::kVoid;
     }
     case Kind::kCall: {

@@ -9,7 +9,6 @@ void g(int *out[2]); // expect error MP129
 void h(TTrapPrm *trap); // expect error MP129
 void t0() {
   int c, d;
-  c->value = 1; // expect error MP203
   d = (int *) c; // expect error MP203
   d = sizeof(int *); // expect error MP203
   GT_GetSts(1, &c, 1, &d);

@@ -3,8 +3,8 @@
 int v;
 static int inner(int n);
 static int outer(int n) { return inner(n); }
-static int inner(int n) { return n->x; } // expect error MP203
-static int unneeded(int n) { return n->x; } // expect warning MP219
+static int inner(int n) { return (int *)n; } // expect error MP203
+static int unneeded(int n) { return (int *)n; } // expect warning MP219
 int not_static(int **n) { return 0; } // expect error MP129
 void t0(void) {
   v = outer(3);
