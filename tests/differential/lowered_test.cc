@@ -16,6 +16,7 @@
 #include "fixed_program.h"
 #include "machine_run.h"
 #include "oracle.h"
+#include "struct_program.h"
 #include "structured_program.h"
 #include "structured_run.h"
 #include "tests/base/random_cases.h"
@@ -122,6 +123,10 @@ TEST(LoweredTest, LoweredTypesAndCallsComputeWhatGccComputes) {
 TEST(LoweredTest, LoweredDoublesComputeWhatGccComputes) { CheckAll(MakeFixedProgram, "fixed"); }
 
 TEST(LoweredTest, LoweredCallsComputeWhatGccComputes) { CheckAll(MakeCalledProgram, "called"); }
+
+TEST(LoweredTest, LoweredStructuresComputeWhatGccComputes) {
+  CheckAll(MakeStructProgram, "structs");
+}
 
 TEST(LoweredTest, LoweredArraysHaveTheValuesThatGccGivesThem) {
   CheckAll(MakeArrayProgram, "arrays");

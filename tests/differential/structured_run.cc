@@ -14,8 +14,9 @@ std::string StructuredOracleText(const std::vector<StructuredProgram>& programs)
   for (const StructuredProgram& program : programs) {
     text += "#undef C0\n#undef C1\n";
     for (const char* name :
-         {"f", "fuel", "b0", "g0", "g1",   "g2",      "g3",   "a",  "m",  "h",
-          "k", "s",    "e",  "w",  "mean", "eighths", "walk", "c0", "c1", "c2"}) {
+         {"f",  "fuel", "b0", "g0", "g1",   "g2",      "g3",   "a",  "m",    "h",
+          "k",  "s",    "e",  "w",  "mean", "eighths", "walk", "c0", "c1",   "c2",
+          "d0", "d1",   "r0", "r1", "v0",   "v1",      "s0",   "s1", "pair", "outer"}) {
       text += fmt::format("#undef {0}\n#define {0} {0}_{1}\n", name, program.seed);
     }
     text += fmt::format("{}void run_{}() {{\n  printf(\"%d\", f());\n", program.text, program.seed);
