@@ -191,7 +191,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       }
     } else if (type.own != nullptr) {
       const std::optional<ArrayPlace> structure = LowerStructure(argument);
-      if (!structure || !IsComplete(type, declarator)) return false;
+      if (!structure || !IsComplete(type, declarator.name, declarator.name_range)) return false;
       if (structure->element.own != type.own) {
         Report(Code::kArrayArgument, argument.range, Source(argument.range), syntax.name,
                Source(parameters[i]->range));
@@ -255,6 +255,7 @@ Value Lowerer::LowerOwnCall(const Expression& call, FunctionInfo& info) {
   Value result = {Operand(), type, type};
   if (++inlined_ > vm::kInstructionMax) stopped_ = true;
   if (stopped_) return result;
+  if (!IsComplete(info.type, info.syntax->name, info.syntax->name_range)) return {};
   Scope scope;
   if (!BindArguments(call, info, scope)) return {};
   if (CanShare(info, scope)) return LowerSharedCall(call, info, std::move(scope));

@@ -357,7 +357,8 @@ int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
 void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
   std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, symbol.type);
   symbol.type.rows = nullptr;
-  symbol.invalid = !dimensions || !IsComplete(symbol.type, declarator) ||
+  symbol.invalid = !dimensions ||
+                   !IsComplete(symbol.type, declarator.name, declarator.name_range) ||
                    (!dimensions->empty() && !CanRepeat(symbol.type, declarator));
   if (symbol.invalid) return;
   symbol.dimensions = std::move(*dimensions);

@@ -54,7 +54,7 @@ Lowerer::Part Lowerer::PartOf(const Shape& whole, int64_t number) const {
     const OwnMember& member = whole.type.own->members[static_cast<size_t>(number)];
     part.shape = {member.type, member.dimensions};
     part.begin = member.begin;
-  } else {
+  } else if (whole.type.structure != nullptr) {
     part.shape.type.basic = MemberType(whole.type.structure->members[static_cast<size_t>(number)]);
     part.begin = number;
   }
@@ -137,11 +137,13 @@ Shape Lowerer::PartFor(const Expression& item, Shape part) const {
   return part;
 }
 
-// Whether a value is a structure of the program of this type.
+// Whether a value is a structure of this type.
 bool Lowerer::HasType(const Expression& value, const Shape& shape) const {
-  if (shape.type.own == nullptr || !shape.dimensions.empty()) return false;
+  const Type& type = shape.type;
+  if (type.basic != BasicType::kStructure || !shape.dimensions.empty()) return false;
   const std::optional<Shape> given = ShapeOf(value);
-  return given && given->dimensions.empty() && given->type.own == shape.type.own;
+  return given && given->dimensions.empty() && given->type.own == type.own &&
+         given->type.structure == type.structure;
 }
 
 // The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
@@ -259,12 +261,13 @@ ArrayPlace Lowerer::PlaceAt(const Symbol& symbol, int64_t position, const OwnStr
   place.variable = symbol.variable;
   int64_t element = 0;
   while (IsAggregate(part.shape) && part.shape.type.structure == nullptr) {
-    if (part.shape.dimensions.empty() && part.shape.type.own == own) break;
+    const OwnStructure* const structure = part.shape.type.own;
+    if (part.shape.dimensions.empty() && structure == own) break;
     const int64_t number = PartNumberAt(part.shape, position);
     if (!part.shape.dimensions.empty()) {
       element = element * part.shape.dimensions[0] + number;
-    } else {
-      place.variable += part.shape.type.own->members[static_cast<size_t>(number)].leaf;
+    } else if (structure != nullptr) {
+      place.variable += structure->members[static_cast<size_t>(number)].leaf;
     }
     part = PartOf(part.shape, number);
     position -= part.begin;
@@ -390,9 +393,15 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
     Elements& of_leaf = values[static_cast<size_t>(place.variable - symbol.variable)];
     of_leaf.resize(std::max(of_leaf.size(), static_cast<size_t>(place.offset.value) + 1));
     of_leaf[static_cast<size_t>(place.offset.value)] = element;
-    if (element.of_structure && element.value != nullptr) {
-      const OwnStructure* const own = ShapeOf(*element.value)->type.own;
-      StoreStructure(PlaceAt(symbol, static_cast<int64_t>(i), own), *element.value);
+    if (!element.of_structure || element.value == nullptr) continue;
+    const OwnStructure* const own = ShapeOf(*element.value)->type.own;
+    const ArrayPlace whole_part = PlaceAt(symbol, static_cast<int64_t>(i), own);
+    if (own != nullptr) {
+      StoreStructure(whole_part, *element.value);
+    } else if (const std::optional<Place> source = LowerPlace(*element.value)) {
+      ArrayPlace from;
+      from.variable = source->operand.variable;
+      CopyLeaf(whole_part, from, element.value->range);
     }
   }
   for (size_t i = 0; i < leaves; ++i) {

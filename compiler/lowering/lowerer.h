@@ -259,7 +259,7 @@ class Lowerer {
 
   // --- structures.cc ---
   const OwnStructure* FindStructure(const StructSpecifier& syntax, const Scope* scope) const;
-  bool IsComplete(const Type& type, const Declarator& declarator);
+  bool IsComplete(const Type& type, std::string_view name, SourceRange range);
   bool CanRepeat(const Type& type, const Declarator& declarator);
   void DefineStructure(const StructSpecifier& syntax);
   void AddMember(OwnStructure& structure, const Declarator& declarator, const Type& type);

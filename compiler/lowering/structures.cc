@@ -40,9 +40,11 @@ const OwnStructure* Lowerer::FindStructure(const StructSpecifier& syntax,
 }
 
 // False, with a report, for a structure whose members are not known where something is declared.
-bool Lowerer::IsComplete(const Type& type, const Declarator& declarator) {
-  if (type.own == nullptr || type.own->complete) return true;
-  Report(Code::kNotForTheCard, declarator.name_range, declarator.name,
+bool Lowerer::IsComplete(const Type& type, std::string_view name, SourceRange range) {
+  if (type.own == nullptr) return true;
+  // Without members there was an error.
+  if (type.own->complete) return type.own->values > 0;
+  Report(Code::kNotForTheCard, range, name,
          MakeMessage("its structure is not defined before it; define it with its members first",
                      "它的结构在此之前没有定义；请先定义该结构及其成员"));
   return false;
@@ -88,7 +90,8 @@ void Lowerer::AddMember(OwnStructure& structure, const Declarator& declarator, c
   const std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
   const bool again = MemberOf(structure, declarator.name) != nullptr;
   if (again) Report(Code::kRedefinition, declarator.name_range, declarator.name);
-  const bool good = dimensions && !again && IsComplete(type, declarator) &&
+  const bool good = dimensions && !again &&
+                    IsComplete(type, declarator.name, declarator.name_range) &&
                     (dimensions->empty() || CanRepeat(type, declarator));
   if (!good) {
     structure.invalid = true;
@@ -240,7 +243,7 @@ std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) 
   const bool names =
       inner.kind == Expression::Kind::kName || inner.kind == Expression::Kind::kMember ||
       inner.kind == Expression::Kind::kIndex || inner.kind == Expression::Kind::kUnary;
-  const std::optional<ArrayPlace> place = known && names ? LowerArray(inner) : std::nullopt;
+  std::optional<ArrayPlace> place = known && names ? LowerArray(inner) : std::nullopt;
   if (place && place->element.own != nullptr && place->dimensions.empty()) return place;
   if (place || !known || !names) {
     const bool array = shape && !shape->dimensions.empty();

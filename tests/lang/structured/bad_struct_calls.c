@@ -12,6 +12,8 @@ static void later(struct unknown a) {} // expect error MP206
 static void away(struct point *place) { place++; }
 static int at(struct point *place, int i) { return place[i].x; } // expect error MP236
 static void none(void) {}
+static struct unknown new(void) {} // expect error MP206
+struct huge { int a[2000]; } huge = {1}; // expect error MP016
 struct point t1(void) { return p; } // expect error MP236
 void t2(struct point a) { n = a.x; } // expect error MP245
 void t0(void) {
@@ -30,6 +32,8 @@ void t0(void) {
   n = size.width->x; // expect error MP203
   trap->acc = 1; // expect error MP203
   later(p);
+  new();
+  n = huge.b;
   away(&p); // expect error MP236
   n = at(&p, n);
 }
