@@ -6,6 +6,16 @@
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
+namespace {
+
+// Whether two places are in the same array. A structure and its first member begin with the same
+// variable, and count differently.
+bool IsInOneArray(const ArrayPlace& a, const ArrayPlace& b) {
+  return a.variable == b.variable && a.dimensions.size() == b.dimensions.size() &&
+         a.element.own == b.element.own;
+}
+
+}  // namespace
 
 void Lowerer::ReportUndeclared(const Expression& name) {
   Diagnostic* diagnostic = Report(Code::kUndeclared, name.range, name.text);
@@ -123,8 +133,7 @@ std::optional<ArrayPlace> Lowerer::LowerMove(const Expression& expression, bool 
   if (expression.kind == Expression::Kind::kAssign) {
     const std::optional<ArrayPlace> other = LowerArray(*expression.operands[1]);
     if (!other) return std::nullopt;
-    if (other->variable != array->variable ||
-        other->dimensions.size() != array->dimensions.size()) {
+    if (!IsInOneArray(*other, *array)) {
       Report(Code::kNotLowered, range,
              MakeMessage("a parameter that changes to another array", "改为代表另一个数组的参数"),
              MakeMessage("pass the array in a call", "请在调用中传递该数组"));
@@ -160,8 +169,7 @@ Value Lowerer::LowerPlaces(const Expression& expression, const vm::OperatorInfo&
   const std::optional<ArrayPlace> b = LowerArray(*expression.operands[1]);
   if (!a || !b) return {};
   const bool difference = expression.op == "-";
-  if (a->variable != b->variable || a->dimensions.size() != b->dimensions.size() ||
-      !(difference || vm::IsComparison(info))) {
+  if (!IsInOneArray(*a, *b) || !(difference || vm::IsComparison(info))) {
     Report(
         Code::kNotLowered, expression.range,
         MakeMessage("'{0}' of places in different arrays", "不同数组中位置的 '{0}'", expression.op),

@@ -12,6 +12,9 @@ static void later(struct unknown a) {} // expect error MP206
 static void away(struct point *place) { place++; }
 static int at(struct point *place, int i) { return place[i].x; } // expect error MP236
 static void none(void) {}
+struct line { struct point from, to; } lines[2];
+static void change(struct point *place, struct line *line) { place = line; } // expect error MP236
+static int before(struct point *place, struct line *line) { return place < line; } // expect error MP236
 static struct unknown new(void) {} // expect error MP206
 struct huge { int a[2000]; } huge = {1}; // expect error MP016
 struct point t1(void) { return p; } // expect error MP236
@@ -33,6 +36,8 @@ void t0(void) {
   trap->acc = 1; // expect error MP203
   later(p);
   new();
+  change(&lines[0].from, lines);
+  n = before(&lines[0].from, lines);
   n = huge.b;
   away(&p); // expect error MP236
   n = at(&p, n);
