@@ -658,6 +658,7 @@ void Operands::CheckNames(const Expression& expression) {
     }
     case Expression::Kind::kBraces:
     case Expression::Kind::kDesignated:
+    case Expression::Kind::kCompoundLiteral:
       context_.Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
       return;
     case Expression::Kind::kCall: {

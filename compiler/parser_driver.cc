@@ -83,7 +83,23 @@ bool ParserDriver::BeginsValues() const {
   if (last_->kind == Kind::kAssign || last_->kind == Kind::kEnum || AfterTag(Kind::kEnum)) {
     return true;
   }
-  return BeginsValue();
+  return BeginsValue() || AfterTypeInParens();
+}
+
+// Whether the last tokens are a type in parentheses, as in `(struct s){1}`, and not the parameters
+// of a function or what a statement begins with.
+bool ParserDriver::AfterTypeInParens() const {
+  if (dialect_ == Dialect::kCard || last_->kind != Kind::kCloseParen || next_ < 4) return false;
+  int closed = 0;
+  size_t open = next_ - 2;
+  for (const size_t lowest = open > kLookBack ? open - kLookBack : 0; open > lowest; --open) {
+    if (tokens_[open].kind == Kind::kCloseParen) ++closed;
+    if (tokens_[open].kind == Kind::kOpenParen && --closed == 0) break;
+  }
+  const int first = tokens_[open + 1].kind;
+  const int before = open > 0 ? tokens_[open - 1].kind : Kind::kEnd;
+  const bool names_type = IsTypeWord(first) || first == Kind::kEnum || first == Kind::kStruct;
+  return closed == 0 && names_type && before != Kind::kName && before != Kind::kFor;
 }
 
 // Whether the brace after the last token begins the members of a structure.

@@ -62,6 +62,7 @@ class ParserDriver {
   ExpressionPtr Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
                             ExpressionPtr no, SourceRange range);
   ExpressionPtr Cast(TypeNamePtr type, ExpressionPtr operand, SourceRange range);
+  ExpressionPtr CompoundLiteral(TypeNamePtr type, ExpressionPtr values, SourceRange range);
   ExpressionPtr SizeOf(ExpressionPtr operand, SourceRange range);
   ExpressionPtr SizeOfType(TypeNamePtr type, SourceRange range);
   ExpressionPtr Index(ExpressionPtr array, ExpressionPtr index, SourceRange range);
@@ -99,6 +100,7 @@ class ParserDriver {
   bool BeginsValues() const;
   bool BeginsValue() const;
   bool BeginsMembers() const;
+  bool AfterTypeInParens() const;
   bool AfterTag(int keyword) const;
   bool ContinuesAfterBrace(const Token& error, const Token& next) const;
   bool InForHeader() const;

@@ -65,7 +65,8 @@ struct Expression {
     kBraces,       ///< { a, b }: an array's initialiser, nested for more dimensions
     kDesignated,  ///< in braces `[1] = 2`, operands: value, index, perhaps the last one of a range;
                   ///< or `.m = 2`, text is the member, operands: value; structured C
-    kError        ///< reported already
+    kCompoundLiteral,  ///< (struct s){1, 2}: type, operands: the braces; structured C
+    kError             ///< reported already
   };
   Kind kind = Kind::kError;
   SourceRange range;

@@ -143,6 +143,13 @@ ExpressionPtr ParserDriver::Cast(TypeNamePtr type, ExpressionPtr operand, Source
   return LimitDepth(std::move(result));
 }
 
+ExpressionPtr ParserDriver::CompoundLiteral(TypeNamePtr type, ExpressionPtr values,
+                                            SourceRange range) {
+  ExpressionPtr result = MakeNode(Expression::Kind::kCompoundLiteral, range, std::move(values));
+  result->type = std::move(type);
+  return LimitDepth(std::move(result));
+}
+
 ExpressionPtr ParserDriver::SizeOf(ExpressionPtr operand, SourceRange range) {
   return LimitDepth(MakeNode(Expression::Kind::kSizeof, range, std::move(operand)));
 }

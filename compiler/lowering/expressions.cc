@@ -163,6 +163,7 @@ Value Lowerer::LowerValue(const Expression& expression) {
     case Kind::kName:
       return LowerName(expression);
     case Kind::kIndex:
+    case Kind::kCompoundLiteral:
     case Kind::kMember: {
       if (IsArray(expression)) {
         Report(Code::kArrayWithoutIndex, expression.range, Source(expression.range));

@@ -226,15 +226,22 @@ bool Lowerer::FlattenDesignated(const Expression& item, const Shape& whole, int6
 
 std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Declarator& declarator,
                                                      const Symbol& symbol) {
-  const Expression* values = declarator.initialiser.get();
-  if (values == nullptr || values->kind != Expression::Kind::kBraces) {
-    Report(Code::kArrayValues, values == nullptr ? declarator.head : values->range,
-           declarator.name);
+  if (declarator.initialiser != nullptr) {
+    return ElementsOf(*declarator.initialiser, declarator.name, symbol);
+  }
+  Report(Code::kArrayValues, declarator.head, declarator.name);
+  return std::nullopt;
+}
+
+std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Expression& values,
+                                                     std::string_view name, const Symbol& symbol) {
+  if (values.kind != Expression::Kind::kBraces) {
+    Report(Code::kArrayValues, values.range, name);
     return std::nullopt;
   }
   Filling filling;
-  filling.name = declarator.name;
-  if (!Flatten(*values, {symbol.type, symbol.dimensions}, 0, filling)) return std::nullopt;
+  filling.name = name;
+  if (!Flatten(values, {symbol.type, symbol.dimensions}, 0, filling)) return std::nullopt;
   return std::move(filling.elements);
 }
 
@@ -355,16 +362,21 @@ void Lowerer::InitialiseLeaf(int variable, const Type& type, const Elements& val
 }
 
 void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol) {
-  const Expression* value = declarator.initialiser.get();
-  const Shape whole = {symbol.type, symbol.dimensions};
   BeginFullExpression(declarator.range);
+  Initialise(*declarator.initialiser, declarator.name, declarator.range, symbol);
+}
+
+void Lowerer::Initialise(const Expression& initialiser, std::string_view name, SourceRange range,
+                         const Symbol& symbol) {
+  const Expression* value = &initialiser;
+  const Shape whole = {symbol.type, symbol.dimensions};
   if (!IsAggregate(whole)) {
     const Operand target = VariableOperand(symbol.variable);
     value = ScalarValue(*value);
     if (value != nullptr) {
       AssignInto({target, symbol.type}, *value);
     } else {
-      EmitCopy(target, ConstantOperand(target.type, 0), declarator.range);
+      EmitCopy(target, ConstantOperand(target.type, 0), range);
     }
     return;
   }
@@ -381,7 +393,7 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
       return;
     }
   }
-  std::optional<Elements> elements = ElementsOf(declarator, symbol);
+  std::optional<Elements> elements = ElementsOf(initialiser, name, symbol);
   if (!elements) return;
   elements->resize(static_cast<size_t>(Width(whole)));
   // C leaves the order of the values open. Those of one variable of the card come together.
@@ -406,8 +418,28 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
   }
   for (size_t i = 0; i < leaves; ++i) {
     const Type& type = symbol.type.own != nullptr ? symbol.type.own->leaves[i].type : symbol.type;
-    InitialiseLeaf(symbol.variable + static_cast<int>(i), type, values[i], declarator.range);
+    InitialiseLeaf(symbol.variable + static_cast<int>(i), type, values[i], range);
   }
+}
+
+// `(struct s){1, 2}`: a variable without a name.
+std::optional<ArrayPlace> Lowerer::LowerCompoundLiteral(const Expression& literal) {
+  const std::string_view written = Source(literal.range);
+  Symbol symbol;
+  symbol.type = ResolveType(literal.type->specifiers);
+  symbol.range = literal.range;
+  symbol.offset = IntOperand(0);
+  if (!literal.type->sizes.empty() || symbol.type.rows != nullptr) {
+    Report(Code::kNotLowered, literal.range,
+           MakeMessage("an array without a name", "没有名称的数组"),
+           MakeMessage("declare a variable", "请声明变量"));
+    return std::nullopt;
+  }
+  if (!IsComplete(symbol.type, written, literal.range)) return std::nullopt;
+  symbol.variable =
+      VariableOf(&literal, Variable::Role::kLocal, "literal", symbol.type, 0, literal.range);
+  Initialise(*literal.operands[0], written, literal.range, symbol);
+  return ArrayPlace{symbol.variable, symbol.offset, {}, symbol.type, written};
 }
 
 }  // namespace oncard::compiler::lowering

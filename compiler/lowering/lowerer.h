@@ -279,6 +279,9 @@ class Lowerer {
   // --- initialisers.cc ---
   void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
   void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
+  void Initialise(const Expression& initialiser, std::string_view name, SourceRange range,
+                  const Symbol& symbol);
+  std::optional<ArrayPlace> LowerCompoundLiteral(const Expression& literal);
   const Expression* ScalarValue(const Expression& value);
   static int64_t Width(const Shape& shape);
   static bool IsAggregate(const Shape& shape);
@@ -294,6 +297,8 @@ class Lowerer {
   bool FlattenDesignated(const Expression& item, const Shape& whole, int64_t base, Filling& filling,
                          int64_t* position);
   std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);
+  std::optional<Elements> ElementsOf(const Expression& values, std::string_view name,
+                                     const Symbol& symbol);
   ArrayPlace PlaceAt(const Symbol& symbol, int64_t position, const OwnStructure* own) const;
   void InitialiseLeaf(int variable, const Type& type, const Elements& values, SourceRange range);
   void ClearElements(int variable, int64_t begin, int64_t end, SourceRange range);

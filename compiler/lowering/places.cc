@@ -217,6 +217,7 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   using Kind = Expression::Kind;
   const Expression& inner = WithoutParens(expression);
   if (inner.kind == Kind::kName) return LowerNamedArray(inner);
+  if (inner.kind == Kind::kCompoundLiteral) return LowerCompoundLiteral(inner);
   if (inner.kind == Kind::kUnary && inner.op == "&") return LowerAddressed(*inner.operands[0]);
   if (inner.kind == Kind::kMember && IsOwnMember(inner)) return LowerOwnMember(inner);
   if (inner.kind == Kind::kBinary && IsArray(inner)) return LowerArraySum(inner);
@@ -358,6 +359,7 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
   const Expression& inner = WithoutParens(expression);
   switch (inner.kind) {
     case Expression::Kind::kIndex:
+    case Expression::Kind::kCompoundLiteral:
       return LowerElement(inner);
     case Expression::Kind::kUnary:
       if (inner.op == "*") return LowerElement(inner);

@@ -242,7 +242,8 @@ std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) 
   const bool known = !shape || shape->invalid || shape->type.own != nullptr;
   const bool names =
       inner.kind == Expression::Kind::kName || inner.kind == Expression::Kind::kMember ||
-      inner.kind == Expression::Kind::kIndex || inner.kind == Expression::Kind::kUnary;
+      inner.kind == Expression::Kind::kIndex || inner.kind == Expression::Kind::kUnary ||
+      inner.kind == Expression::Kind::kCompoundLiteral;
   std::optional<ArrayPlace> place = known && names ? LowerArray(inner) : std::nullopt;
   if (place && place->element.own != nullptr && place->dimensions.empty()) return place;
   if (place || !known || !names) {

@@ -84,6 +84,9 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
     return place;
   }
   if (inner.kind == Kind::kComma) return operand(1);
+  if (inner.kind == Kind::kCompoundLiteral) {
+    return Shape{ResolveType(inner.type->specifiers), {}};
+  }
   if (inner.kind == Kind::kConditional) {
     std::optional<Shape> yes = operand(1);
     const bool is_structure = yes && !is_array(yes) && yes->type.own != nullptr;
@@ -211,6 +214,7 @@ BasicType Lowerer::TypeOf(const Expression& expression) {
       return operand(0);
     case Kind::kComma:
       return operand(1);
+    case Kind::kCompoundLiteral:
     case Kind::kMember: {
       const std::optional<Shape> member = ShapeOf(expression);
       return member ? member->type.basic : BasicType::kInt;

@@ -42,6 +42,9 @@ void t0(void) {
   n = (struct point)n; // expect error MP236
   n = l.x + broken.y;
   n = sizeof(struct unknown); // expect error MP236
+  n = ((int[2]){1, 2})[0]; // expect error MP236
+  a = (struct size){1, 2}; // expect error MP019
+  n = (struct unknown){1}; // expect error MP206
   //@ assert: a == 1
-  n = 1; // expect error MP141 @45
+  n = 1; // expect error MP141 @48
 }

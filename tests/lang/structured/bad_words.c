@@ -21,7 +21,6 @@ void t0() {
   __asm__ volatile ("nop"); // expect error MP206
   goto *c; // expect error MP206
   c = &&end; // expect error MP206
-  c = (int[2]) {1, 2}; // expect error MP206
   c = ({ 1; }); // expect error MP206
 end:
 }
