@@ -156,3 +156,19 @@ test("another tab with the same text, another lesson or nonsense changes nothing
   takeFromElsewhere("shelf.first", shelf);
   expect(source.shelf.value).toEqual(shelf);
 });
+
+test("a program of one's own brings the names of its files, also when it is opened again", () => {
+  stubStorage();
+  const files = { "star.c": "int main() {}", "star.toml": 'program = "star.c"' };
+  openLessonWith({ ...ownProgram, program: "star.c", main: "star.toml" }, files);
+  expect(source.project.value.main).toBe("star.toml");
+  expect(source.file.value).toBe("star.c");
+  openLesson(ownProgram);
+  expect(source.project.value).toEqual({ main: "star.toml", files, structured: false });
+  expect(source.file.value).toBe("star.c");
+  resetProgram();
+  expect(source.lesson.value).toBe(ownProgram);
+  expect(source.file.value).toBe("program.c");
+  openProgram(1);
+  expect(source.lesson.value.program).toBe("star.c");
+});

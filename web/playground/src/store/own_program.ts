@@ -54,3 +54,15 @@ export const ownProgram: Lesson = {
   task: "run",
   scope: ["axis1.prfVel", "axis2.prfVel"],
 };
+
+/** The place for programs of the reader's own, with the names of the files that are there. */
+export function ownProgramOf(files: Record<string, string>): Lesson {
+  const { program: usual, main: usualMain } = ownProgram;
+  if (Object.hasOwn(files, usual) && Object.hasOwn(files, usualMain)) return ownProgram;
+  const names = Object.keys(files);
+  const program = names.find((name) => name.endsWith(".c"));
+  const main = names.find((name) => name.endsWith(".toml"));
+  return program === undefined || main === undefined
+    ? ownProgram
+    : { ...ownProgram, program, main };
+}

@@ -7,7 +7,7 @@ import type { Lesson } from "@oncard/lessons";
 import { computed } from "@preact/signals";
 
 import { keep, kept } from "./keep.js";
-import { ownProgram } from "./own_program.js";
+import { ownProgram, ownProgramOf } from "./own_program.js";
 import {
   type Files,
   openFiles,
@@ -56,7 +56,15 @@ function shelfOf({ id, files: start }: Lesson): Shelf {
   return readShelf(kept(`shelf.${id}`)) ?? { open: 0, programs: [start] };
 }
 
-function show(lesson: Lesson, shelf: Shelf, file: string): void {
+/** A program of the reader's own brings the names of its files. */
+function fitting(lesson: Lesson, shelf: Shelf): Lesson {
+  const open = openFiles(shelf);
+  const fits = [lesson.program, lesson.main].every((name) => Object.hasOwn(open, name));
+  return fits || lesson.id !== ownProgram.id ? lesson : ownProgramOf(open);
+}
+
+function show(opened: Lesson, shelf: Shelf, file: string): void {
+  const lesson = fitting(opened, shelf);
   keep(`shelf.${lesson.id}`, shelf);
   const isThere = Object.hasOwn(openFiles(shelf), file);
   change({
