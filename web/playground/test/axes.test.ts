@@ -10,6 +10,7 @@ import {
   placeOn,
   positionText,
   roundUp,
+  wayOf,
 } from "../src/machine/axes.js";
 
 const card: Card = {
@@ -102,4 +103,17 @@ test("a stage grows and never shrinks", () => {
 test("a stage of an axis that has a unit reaches as far as machines do", () => {
   expect(grown(undefined, 12.5, "mm")).toEqual({ least: 0, largest: 100 });
   expect(grown(undefined, 330, "mm")).toEqual({ least: 0, largest: 500 });
+});
+
+test("the way of an axis goes on in the direction in which it travels, and turns where it turned", () => {
+  // Up from 0 to 30, at rest, down to -10, in parts of a trace.
+  const trace = { least: [0, 10, 20, 30, 10, -10], largest: [10, 20, 30, 30, 30, 10] };
+  expect(wayOf(trace)).toEqual([10, 20, 30, 30, 10, -10]);
+  expect(wayOf({ least: [], largest: [] })).toEqual([]);
+});
+
+test("two axes on a straight line in opposite directions stay on it", () => {
+  const xs = wayOf({ least: [0, 10, 20], largest: [10, 20, 30] });
+  const ys = wayOf({ least: [20, 10, 0], largest: [30, 20, 10] });
+  expect(xs.map((x, index) => x + (ys[index] ?? NaN))).toEqual([30, 30, 30]);
 });

@@ -1,7 +1,7 @@
 // What of the card the machine view shows: the axes that are used, and how far their stages reach.
 // Tested by test/axes.test.ts.
 
-import type { Card, CardPart } from "@oncard/engine";
+import type { Card, CardPart, Channel } from "@oncard/engine";
 
 import { number } from "../texts/texts.js";
 
@@ -127,6 +127,21 @@ export function positionNumber({ position, positionUnit }: AxisView): string {
 
 export function positionText(axis: AxisView): string {
   return `${positionNumber(axis)} ${axis.positionUnit}`;
+}
+
+/**
+ * The way of an axis, one position for each part of a trace: the end of what it travelled there, which
+ * is the one further away from where it was before. Both axes of a table then are where they were at the
+ * same time, and straight lines are straight.
+ */
+export function wayOf({ least, largest }: Pick<Channel, "least" | "largest">): number[] {
+  const [first = 0, second = first] = least;
+  let before = second < first ? (largest[0] ?? first) : first;
+  return largest.map((high, index) => {
+    const low = least[index] ?? high;
+    before = high - before >= before - low ? high : low;
+    return before;
+  });
 }
 
 /** Where a position is on its stage, from 0 to 1. */

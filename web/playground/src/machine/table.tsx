@@ -3,7 +3,7 @@
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
-import { type AxisView, grown, placeOn, positionText, type Reach } from "./axes.js";
+import { type AxisView, grown, placeOn, positionText, type Reach, wayOf } from "./axes.js";
 
 const size = 260;
 const edge = 10;
@@ -69,7 +69,9 @@ function usePath(x: number, y: number): (readonly [number, number])[] {
     const engine = await bench.engine();
     const names = [`axis${x}.prfPos`, `axis${y}.prfPos`];
     const [xs, ys] = await engine.trace(names, 0, time, pathPoints);
-    return (xs?.largest ?? []).map((value, index) => [value, ys?.largest[index] ?? 0] as const);
+    if (!xs || !ys) return [];
+    const tops = wayOf(ys);
+    return wayOf(xs).map((value, index) => [value, tops[index] ?? 0] as const);
   };
   return useAsked(key, ask, session.running.value) ?? [];
 }
