@@ -161,7 +161,7 @@ function Rows({ span: shown }: { span: Span }) {
           {state?.threads.map((thread) => (
             <Row key={thread.thread} thread={thread} bars={bars} marks={marks} head={atHead} />
           ))}
-          <Scale span={shown} />
+          <Scale span={shown} cursor={atCursor} />
           <div
             class="cursor"
             role="slider"
@@ -366,10 +366,23 @@ function titleOf(kind: Mark["kind"], of: Mark["of"]): string {
   return t.atLine(of.line, what);
 }
 
-function Scale({ span: shown }: { span: Span }) {
+/** Where the number at the cursor is; it covers others of the scale. */
+function pillAt(cursor: number): [number, number] {
+  const width = 0.24;
+  const from = cursor > 0.9 ? cursor - width : cursor < 0.1 ? cursor : cursor - width / 2;
+  return [from, from + width];
+}
+
+function Scale({ span: shown, cursor }: { span: Span; cursor: number }) {
+  const [from, to] = pillAt(cursor);
+  const isCovered = (mark: number) => {
+    const part = (mark - shown.from) / (shown.to - shown.from);
+    return part > from && part < to;
+  };
+  const marks = ticks(shown, 6).filter((mark) => !isCovered(mark));
   return (
     <div class="scale" aria-hidden="true">
-      {ticks(shown, 6).map((mark) => (
+      {marks.map((mark) => (
         <span
           key={mark}
           ref={(element) => {
