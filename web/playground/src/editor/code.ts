@@ -210,7 +210,11 @@ export class CodeEditor {
 
   label(text: string): void {
     const effects = this.#label.reconfigure(
-      EditorView.contentAttributes.of({ "aria-label": text, "aria-multiline": "true" }),
+      EditorView.contentAttributes.of({
+        "aria-label": text,
+        "aria-multiline": "true",
+        tabindex: "0", // a text that scrolls is reached with the keyboard, and checkers see it
+      }),
     );
     this.#view.dispatch({ effects });
   }

@@ -283,7 +283,10 @@ function Code() {
     });
   }, [wish]);
   useLayoutEffect(() => {
-    if (shownLine > 0 && session.notice.peek().kind !== "running") editor?.reveal(shownLine);
+    // Before anything has run, a program is read from its top.
+    const hasBegun = (present.state.peek()?.head ?? 0) > 0;
+    const isRunning = session.notice.peek().kind === "running";
+    if (shownLine > 0 && hasBegun && !isRunning) editor?.reveal(shownLine);
   }, [shownLine]);
   return <div class="code" ref={host} />;
 }
