@@ -41,7 +41,7 @@ export function collectLessons(folder = lessonsFolder): CollectedLesson[] {
 
 function collectLesson(folder: string, id: string): CollectedLesson {
   const read = (name: string) => readFileSync(join(folder, name), "utf8");
-  const parsed = parseLesson({
+  const value = {
     ...parse(read("lesson.toml")),
     version: 1,
     id,
@@ -50,10 +50,14 @@ function collectLesson(folder: string, id: string): CollectedLesson {
     program: "start.c",
     main: "task.toml",
     ...(existsSync(join(folder, "hidden.toml")) ? { hidden: [read("hidden.toml")] } : {}),
-  });
-  if ("mistakes" in parsed) {
-    const mistakes = parsed.mistakes.map(({ where, message }) => `${where}: ${message.en}`);
-    throw new Error(`${folder}: ${mistakes.join("; ")}`);
-  }
-  return { folder, lesson: parsed.lesson, solution: read("solution.c") };
+  };
+  return { folder, lesson: readLesson(value, folder), solution: read("solution.c") };
+}
+
+/** @throws {Error} the lesson has a mistake; the message begins with the place */
+export function readLesson(value: unknown, place: string): Lesson {
+  const parsed = parseLesson(value);
+  if ("lesson" in parsed) return parsed.lesson;
+  const mistakes = parsed.mistakes.map(({ where, message }) => `${where}: ${message.en}`);
+  throw new Error(`${place}: ${mistakes.join("; ")}`);
 }

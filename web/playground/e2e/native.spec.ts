@@ -70,7 +70,7 @@ test("a shared link has neither the secret nor the engine", async ({ page }) => 
 });
 
 test("a server that has ended is explained", async ({ page }) => {
-  await page.goto(address);
+  await page.goto(`${address}#lesson=assignment`);
   await expect(status(page)).toHaveText("Card ready.");
   server.kill("SIGINT");
   await once(server, "exit");

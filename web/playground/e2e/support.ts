@@ -7,19 +7,27 @@ import { expect, type Locator, type Page } from "@playwright/test";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
+const firstLesson = "#lesson=assignment";
+
 /**
  * Opens the page and waits until the card is there; errors of the page fail the test.
- * @param address a fragment, or where another server has the page
+ * @param address a fragment, or where another server has the page; without a fragment the first lesson
  */
 export async function open(page: Page, address = ""): Promise<void> {
+  failWithErrors(page);
+  const place = address.startsWith("http") ? address : `./${address}`;
+  await page.goto(place.includes("#") ? place : `${place}${firstLesson}`);
+  await expect(status(page)).toHaveText(/Card ready|控制卡就绪/);
+}
+
+/** Errors of the page fail the test. */
+export function failWithErrors(page: Page): void {
   page.on("pageerror", (error) => {
     throw error;
   });
   page.on("console", (message) => {
     if (message.type() === "error") throw new Error(message.text());
   });
-  await page.goto(address.startsWith("http") ? address : `./${address}`);
-  await expect(status(page)).toHaveText(/Card ready|控制卡就绪/);
 }
 
 /** The files of the modules that the page asks for from now on. */

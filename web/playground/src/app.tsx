@@ -5,6 +5,7 @@ import type { ComponentChildren } from "preact";
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
+import { isOpening } from "./lesson/opening.js";
 import { RecordPanel } from "./panel/record.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
 import { MachinePanel } from "./machine/machine.js";
@@ -78,7 +79,7 @@ export function App() {
           </button>
         ))}
       </nav>
-      <main>
+      <main class={isOpening.value ? "opening" : ""}>
         <div class="column">
           <Box name="lesson">
             <LessonPanel />

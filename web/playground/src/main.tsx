@@ -2,11 +2,12 @@
 
 import { effect } from "@preact/signals";
 import { render } from "preact";
-import offered from "virtual:lessons";
+import { offered, samples } from "virtual:lessons";
 
 import { App } from "./app.js";
 import { listenToKeys } from "./controls/actions.js";
 import { forgetOldVerdicts } from "./lesson/checks.js";
+import { beginOpening } from "./lesson/opening.js";
 import { bench } from "./session/bench.js";
 import { followLanguage, followSource } from "./session/messages.js";
 import { followLesson, openFirst, openNext } from "./share/opened_link.js";
@@ -28,13 +29,13 @@ effect(() => {
   document.title = texts.value.title;
 });
 listenToKeys();
-offerLessons(offered);
+offerLessons(offered, samples);
 openFirst();
 followLesson();
 listenToOtherTabs(takeProgress);
 listenToOtherTabs(takeFromElsewhere);
 window.addEventListener("hashchange", openNext);
-followSource();
+followSource(beginOpening);
 followLanguage();
 forgetOldVerdicts();
 const page = document.getElementById("page");

@@ -1,6 +1,6 @@
-/** The lessons of web/lessons; tools/bundle.js puts them in. */
+/** The lessons and samples of web/lessons; tools/bundle.js puts them in. */
 declare module "virtual:lessons" {
   import type { Lesson } from "@oncard/lessons";
-  const lessons: Lesson[];
-  export default lessons;
+  export const offered: Lesson[];
+  export const samples: Lesson[];
 }

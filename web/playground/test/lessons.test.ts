@@ -27,6 +27,15 @@ test("there are the reader's own program, the page's lessons, and those of links
   expect(lessonNamed(undefined)).toBeUndefined();
 });
 
+test("the first sample is the opening, which is no lesson of the list", () => {
+  stubStorage();
+  offerLessons([lessonOf("a")], [lessonOf("star"), lessonOf("gear")]);
+  expect(lessons.opening.value?.id).toBe("star");
+  expect(lessonNamed("star")?.id).toBe("star");
+  expect(lessonNamed("gear")).toBeUndefined();
+  expect(lessons.listed.value.map(({ id }) => id)).toEqual(["a"]);
+});
+
 test("a lesson of a link replaces the one of that name, and is kept", () => {
   stubStorage();
   offerLessons([]);

@@ -7,17 +7,21 @@ import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { collectLessons } from "@oncard/lessons/collect";
+import { collectSamples } from "@oncard/lessons/samples";
 import { build } from "esbuild";
 
 const here = fileURLToPath(new URL("..", import.meta.url));
 
-/** The lessons as a module of the bundle. */
+/** The lessons and the samples as a module of the bundle. */
 const lessons = {
   name: "lessons",
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^virtual:lessons$/ }, () => ({ path: "lessons", namespace: "lessons" }));
     onLoad({ filter: /.*/, namespace: "lessons" }, () => ({
-      contents: JSON.stringify(collectLessons().map(({ lesson }) => lesson)),
+      contents: JSON.stringify({
+        offered: collectLessons().map(({ lesson }) => lesson),
+        samples: collectSamples(),
+      }),
       loader: "json",
     }));
   },

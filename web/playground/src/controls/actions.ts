@@ -3,7 +3,7 @@
 import { checkTask, explore } from "../lesson/checks.js";
 import { showVerdict } from "../lesson/verdict.js";
 import { bench, session } from "../session/bench.js";
-import { ready, toggleBreakpoint } from "../session/on_card.js";
+import { isEdited, ready, toggleBreakpoint } from "../session/on_card.js";
 import { record } from "../session/record.js";
 import { layout, showPanel, showRun } from "../store/layout.js";
 import { changeSpeed } from "../store/settings.js";
@@ -14,7 +14,8 @@ async function whenReady(action: () => Promise<void>): Promise<void> {
 
 export const actions = {
   run: () => {
-    if (session.running.peek() && session.notice.peek().kind === "running") bench.pause();
+    const isRunning = session.running.peek() && session.notice.peek().kind === "running";
+    if (isRunning && !isEdited.peek()) bench.pause();
     else {
       void whenReady(() => {
         showRun();

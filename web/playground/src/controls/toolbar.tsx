@@ -6,6 +6,7 @@ import { useRef, useState } from "preact/hooks";
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
 import { session } from "../session/bench.js";
+import { isEdited } from "../session/on_card.js";
 import { openRecord, record } from "../session/record.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
@@ -63,7 +64,8 @@ export function Toolbar() {
   const { controls: t } = texts.value;
   const [shown, setShown] = useState<"keys" | "share" | "teach" | undefined>(undefined);
   const { language, speed, theme } = settings;
-  const isRunning = session.notice.value.kind === "running";
+  // What was edited meanwhile is not what runs: Run loads it.
+  const isRunning = session.notice.value.kind === "running" && !isEdited.value;
   const input = useRef<HTMLInputElement>(null);
   const close = () => {
     setShown(undefined);

@@ -9,7 +9,9 @@ import { texts } from "../texts/texts.js";
 import { isSolvedNow, verdict } from "./checks.js";
 import { LessonMap } from "./map.js";
 import { htmlOf } from "./markdown.js";
+import { isOpening } from "./opening.js";
 import { VerdictBox } from "./verdict.js";
+import { Welcome } from "./welcome.js";
 
 function Text({ text }: { text: string }) {
   // markdown.ts lets no HTML through.
@@ -17,12 +19,17 @@ function Text({ text }: { text: string }) {
 }
 
 export function LessonPanel() {
+  return isOpening.value ? <Welcome /> : <OpenLesson />;
+}
+
+function OpenLesson() {
   const { lessons: t } = texts.value;
   const open = source.lesson.value;
   const { solved } = lessons;
   const { language } = settings;
   const shown = Math.min(lessons.openHints.value[open.id] ?? 0, open.hints.length);
-  const list = lessons.all.value.filter(({ id }) => id !== ownProgram.id);
+  const list = lessons.listed.value;
+  const opening = lessons.opening.value;
   const at = list.findIndex(({ id }) => id === open.id);
   const next = at >= 0 ? list[at + 1] : undefined;
   return (
@@ -46,6 +53,7 @@ export function LessonPanel() {
               {solved.value.has(id) ? ` (${t.solved})` : ""}
             </option>
           ))}
+          {opening && <option value={opening.id}>{t.opening}</option>}
           <option value={ownProgram.id}>{ownProgram.title[language.value]}</option>
         </select>
         {list.length > 0 && (

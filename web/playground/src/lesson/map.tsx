@@ -4,13 +4,12 @@ import { lessons } from "../store/lessons.js";
 import { settings } from "../store/settings.js";
 import { openLesson, source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { ownProgram } from "../store/own_program.js";
 
 export function LessonMap() {
   const { lessons: t } = texts.value;
   const { solved } = lessons;
   const open = source.lesson.value.id;
-  const list = lessons.all.value.filter(({ id }) => id !== ownProgram.id);
+  const list = lessons.listed.value;
   // One of them is reached with Tab, the others from there with the arrows.
   const reached = Math.max(
     0,

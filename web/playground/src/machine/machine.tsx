@@ -3,7 +3,7 @@
 import type { Card } from "@oncard/engine";
 import { computed, effect, signal } from "@preact/signals";
 
-import { present } from "../session/bench.js";
+import { present, session } from "../session/bench.js";
 import { record } from "../session/record.js";
 import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
@@ -48,7 +48,10 @@ const tableIsShown = signal<boolean | undefined>(undefined);
 export function MachinePanel() {
   const { machine: t } = texts.value;
   const { value: card } = present.card;
-  if (!card) return <p class="muted empty">{t.idle}</p>;
+  if (!card) {
+    const isStarting = session.notice.value.kind === "starting";
+    return <p class="muted empty">{isStarting ? texts.value.status.starting : t.idle}</p>;
+  }
   const axes = axesOf(card).filter(({ axis }) => shown.value.has(axis));
   const [x, y] = axes;
   // Two axes with switches of their own are rather two stages than a table.

@@ -317,6 +317,13 @@ class Bench {
     return done;
   }
 
+  /** To where a run ends, with no picture on the way. */
+  runToEnd(): Promise<void> {
+    return this.#walking(async (engine, signal) =>
+      this.#arrived(await engine.walkForward({ goal: "end" }, { signal })),
+    );
+  }
+
   /** As far as it gets until the next picture is due. */
   async #fast(engine: Engine): Promise<WalkResult> {
     const begin = performance.now();

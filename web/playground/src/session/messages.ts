@@ -31,7 +31,7 @@ function isWanted(): boolean {
 }
 
 /** Checks the texts. What is opened is loaded, and what is edited as soon as it compiles. */
-async function checkNow(isOpening = false): Promise<void> {
+async function checkNow(onLoaded?: () => void): Promise<void> {
   clearTimeout(timer);
   const checked = source.project.peek();
   try {
@@ -39,19 +39,23 @@ async function checkNow(isOpening = false): Promise<void> {
     if (checked !== source.project.peek()) return;
     change({ diagnostics, complaint: "" });
     if (present.state.peek() && !isEdited.peek()) return;
-    if (isOpening) await bench.load(checked);
-    else if (!record.peek() && compiled && isWanted()) await bench.loadEdited(checked);
+    if (onLoaded) {
+      if (await bench.load(checked)) onLoaded();
+    } else if (!record.peek() && compiled && isWanted()) await bench.loadEdited(checked);
   } catch (error) {
     if (checked !== source.project.peek()) return;
     const complaint = error instanceof Error ? error.message : String(error);
     change({ diagnostics: [], complaint });
     // The card shall not go on with another program.
-    if (isOpening && error instanceof RefusedError) await bench.load(checked);
+    if (onLoaded && error instanceof RefusedError) await bench.load(checked);
   }
 }
 
-/** What is opened is checked at once, what is edited after a pause. */
-export function followSource(): void {
+/**
+ * What is opened is checked at once, what is edited after a pause.
+ * @param onLoaded what was opened is on the card
+ */
+export function followSource(onLoaded: () => void = () => undefined): void {
   let opened: number | undefined;
   effect(() => {
     source.project.value; // eslint-disable-line @typescript-eslint/no-unused-expressions
@@ -62,7 +66,7 @@ export function followSource(): void {
       if (isOpening) {
         forgetRecord();
         bench.wishStops([]);
-        void checkNow(true);
+        void checkNow(onLoaded);
       } else {
         timer = setTimeout(() => void checkNow(), pause);
       }

@@ -16,12 +16,13 @@ export function forgetLink(): void {
   change({ link: { kind: "none" } });
 }
 
-/** Opens what the address of the page says; without a link the last lesson. */
+/** Opens what the address of the page says; without a link the last lesson, or the opening. */
 export function openFirst(): void {
   const link = takeLink();
   if (link.kind === "shared") return;
   const id = link.kind === "lesson" ? link.id : lastLesson();
-  openLesson(lessonNamed(id) ?? lessons.offered.peek()[0] ?? ownProgram);
+  const opening = link.kind === "none" ? lessons.opening.peek() : undefined;
+  openLesson(lessonNamed(id) ?? opening ?? lessons.offered.peek()[0] ?? ownProgram);
 }
 
 /** Opens the link that has come into the address, if there is one. */

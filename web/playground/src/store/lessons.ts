@@ -13,6 +13,8 @@ import { slice } from "./slice.js";
 interface Lessons {
   /** Those of the page. */
   offered: Lesson[];
+  /** Programs that show something. */
+  samples: Lesson[];
   /** Those of teachers that came in links. */
   linked: Lesson[];
   solved: ReadonlySet<string>;
@@ -22,21 +24,30 @@ interface Lessons {
 
 const [state, change] = slice<Lessons>({
   offered: [],
+  samples: [],
   linked: [],
   solved: new Set(),
   openHints: {},
 });
 
+const opening = computed(() => state.samples.value[0]);
+/** Those that teach, in their order. */
+const listed = computed(() => [...state.offered.value, ...state.linked.value]);
+
 export const lessons = {
   ...state,
-  /** With the place for programs of the reader's own. */
-  all: computed(() => [ownProgram, ...state.offered.value, ...state.linked.value]),
+  /** The sample that a first visit sees. */
+  opening,
+  listed,
+  /** With the place for programs of the reader's own, and the opening. */
+  all: computed(() => [ownProgram, ...(opening.value ? [opening.value] : []), ...listed.value]),
 };
 
-/** Takes the lessons of the page, and what was kept of others and of the progress. */
-export function offerLessons(offered: Lesson[]): void {
+/** Takes what the page offers, and what was kept of other lessons and of the progress. */
+export function offerLessons(offered: Lesson[], samples: Lesson[] = []): void {
   change({
     offered,
+    samples,
     linked: readLinked(salvaged(isLinkedLessons, kept("linked")) ?? []),
     solved: new Set(salvaged(isSolvedLessons, kept("solved"))),
     openHints: salvaged(isOpenHints, kept("hints")) ?? {},

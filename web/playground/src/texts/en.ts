@@ -264,11 +264,20 @@ export const en = {
     stopped: "The exploration was stopped.",
   },
 
+  welcome: {
+    label: "Welcome",
+    lines: ["Change a number.", "Run.", "Drag time back."],
+    text: "A motion card, simulated to the pulse, in this page. Nothing to install.",
+    first: "Start the first lesson",
+    own: "Write my own program",
+  },
+
   lessons: {
     list: "Lessons",
     progress: (done: number, all: number) => `${done} of ${all} solved`,
     solved: "solved",
     open: "Choose a lesson",
+    opening: "Welcome",
     hint: "Show a hint",
     hints: (shown: number, all: number) => `Hint ${shown} of ${all}`,
     check: "Check",

@@ -254,11 +254,20 @@ export const zh: Texts = {
     stopped: "探索已停止。",
   },
 
+  welcome: {
+    label: "欢迎",
+    lines: ["改一个数字。", "运行。", "把时间拖回去。"],
+    text: "一张运动控制卡，精确到每个脉冲，就在这个页面里。无需安装。",
+    first: "开始第一课",
+    own: "写自己的程序",
+  },
+
   lessons: {
     list: "课程",
     progress: (done, all) => `已完成 ${done} / ${all}`,
     solved: "已完成",
     open: "选择课程",
+    opening: "欢迎",
     hint: "显示提示",
     hints: (shown, all) => `提示 ${shown} / ${all}`,
     check: "检查",

@@ -1,0 +1,110 @@
+// What a first visit sees: a machine that moves, a line, the first lesson, a program of one's own.
+
+import { expect, type Page, test } from "@playwright/test";
+
+import { editor, expectAccessible, failWithErrors, status } from "./support.js";
+
+const star = 'output[data-axis="1"]';
+
+/** The editor holds no more lines than are in sight; this one is. */
+async function changePoints(page: Page, to: string): Promise<void> {
+  const before = "#define POINTS ";
+  await editor(page).locator(".cm-line", { hasText: before }).click();
+  await page.keyboard.press("Home");
+  await Promise.all(Array.from(before, () => page.keyboard.press("ArrowRight")));
+  await page.keyboard.press("Delete");
+  await page.keyboard.type(to);
+}
+
+test("a first visit sees a table that draws by itself, threads that alternate, and curves", async ({
+  page,
+}) => {
+  failWithErrors(page);
+  await page.goto("./");
+  await expect(page.getByRole("heading", { name: /Change a number\. Run\./ })).toBeVisible();
+  await expect(status(page)).toHaveText("Card running.");
+  await expect(page.getByRole("img", { name: /^XY table at/ })).toBeVisible();
+  await expect(status(page)).toHaveText("Card: finished.");
+  // It ends where it began, after nine lines.
+  const [x, y] = [page.locator(star), page.locator('output[data-axis="2"]')];
+  await expect(x).toHaveText(/^316[1-7](\.\d)? pulse$/);
+  await expect(y).toHaveText(/^13(7[4-9]|80)(\.\d)? pulse$/);
+  const turns = page.locator(".lane .turn");
+  await expect.poll(() => turns.count()).toBeGreaterThanOrEqual(18);
+  await expect(page.locator(".screen")).toHaveAttribute("data-to-ms", /^6\d{3}/);
+  expect(new URL(page.url()).hash).toBe("");
+});
+
+test("a number is changed while it runs, and Run draws another star", async ({ page }) => {
+  await page.goto("./");
+  await expect(status(page)).toHaveText("Card running.");
+  await changePoints(page, "3");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+  await expect(page.getByLabel("Change lines", { exact: true })).toHaveValue("3");
+});
+
+test("who wants no motion sees the whole star, and nothing that moves", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    const said = new Set<string>();
+    Object.assign(globalThis, { said });
+    new MutationObserver(() => {
+      said.add(document.querySelector(".status-text")?.textContent ?? "");
+    }).observe(document, { subtree: true, childList: true, characterData: true });
+  });
+  await page.goto("./");
+  await expect(status(page)).toHaveText("Card: finished.");
+  await expect(page.locator(star)).toHaveText(/^316[1-7](\.\d)? pulse$/);
+  const said = await page.evaluate(() => [
+    ...(globalThis as unknown as { said: Set<string> }).said,
+  ]);
+  expect(said).not.toContain("Card running.");
+});
+
+test("the opening leads to the first lesson, and the next visit opens what was open last", async ({
+  page,
+}) => {
+  await page.goto("./");
+  await page.getByRole("button", { name: "Start the first lesson" }).click();
+  await expect(editor(page)).toContainText("int twice");
+  await expect(status(page)).toHaveText("Card ready.");
+  await page.goto("about:blank");
+  await page.goto("./");
+  await expect(editor(page)).toContainText("int twice");
+  await expect(status(page)).toHaveText("Card ready.");
+  await page.getByLabel("Choose a lesson").selectOption("Welcome");
+  await page.getByRole("button", { name: "Write my own program" }).click();
+  await expect(page.getByRole("button", { name: "program.c" })).toBeVisible();
+});
+
+test("what was changed in the opening is kept, and does not run by itself", async ({ page }) => {
+  await page.goto("./");
+  await expect(status(page)).toHaveText("Card running.");
+  await changePoints(page, "5");
+  await page.reload();
+  await expect(editor(page)).toContainText("POINTS 5");
+  await expect(status(page)).toHaveText("Card ready.");
+});
+
+test("on a phone the machine moves above the words", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("./");
+  const table = page.getByRole("img", { name: /^XY table at/ });
+  const words = page.getByRole("heading", { name: /Change a number/ });
+  await expect(table).toBeVisible();
+  await expect(words).toBeVisible();
+  const [machine, line] = [await table.boundingBox(), await words.boundingBox()];
+  expect(machine?.y).toBeLessThan(line?.y ?? 0);
+});
+
+for (const language of ["en-US", "zh-CN"]) {
+  test(`the opening can be read by everybody, ${language}`, async ({ browser }) => {
+    const context = await browser.newContext({ locale: language, reducedMotion: "reduce" });
+    const page = await context.newPage();
+    await page.goto("./");
+    await expect(page.locator(star)).toHaveText(/^316/);
+    await expectAccessible(page);
+    await context.close();
+  });
+}
