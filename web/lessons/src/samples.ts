@@ -14,19 +14,28 @@ import type { Lesson } from "./lesson.js";
 const list = fileURLToPath(new URL("../samples.toml", import.meta.url));
 const samples = fileURLToPath(new URL("../../../samples/", import.meta.url));
 
+/** What a small picture of a sample shows: the way of two axes, stages, or who ran when. */
+export type PictureKind = "path" | "axes" | "threads";
+
+export interface Sample {
+  /** Without hints. */
+  lesson: Lesson;
+  picture: PictureKind;
+}
+
 interface Entry {
-  id: string;
+  picture: PictureKind;
   /** In samples/. */
   scenario: string;
 }
 
 /**
- * The samples, each as a lesson without hints.
+ * The samples in their order.
  * @throws {Error} a file is missing, or a sample has a mistake
  */
-export function collectSamples(): Lesson[] {
+export function collectSamples(): Sample[] {
   const { sample } = parse(readFileSync(list, "utf8"));
-  return (sample as unknown as Entry[]).map(({ scenario, ...words }) => {
+  return (sample as unknown as Entry[]).map(({ scenario, picture, ...words }) => {
     const path = join(samples, scenario);
     const main = basename(path);
     const text = readFileSync(path, "utf8");
@@ -36,6 +45,6 @@ export function collectSamples(): Lesson[] {
       [main]: text,
     };
     const usual = { version: 1, hints: [], task: "run" };
-    return readLesson({ ...usual, ...words, files, program, main }, scenario);
+    return { lesson: readLesson({ ...usual, ...words, files, program, main }, scenario), picture };
   });
 }

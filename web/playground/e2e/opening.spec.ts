@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { editor, expectAccessible, failWithErrors, status } from "./support.js";
+import { editor, expectAccessible, failWithErrors, fromMenu, status } from "./support.js";
 
 const star = 'output[data-axis="1"]';
 
@@ -96,6 +96,41 @@ test("on a phone the machine moves above the words", async ({ page }) => {
   await expect(words).toBeVisible();
   const [machine, line] = [await table.boundingBox(), await words.boundingBox()];
   expect(machine?.y).toBeLessThan(line?.y ?? 0);
+});
+
+test("a click opens a sample as a program of one's own, with what it shows", async ({ page }) => {
+  failWithErrors(page);
+  await page.goto("./");
+  await expect(status(page)).toHaveText("Card running.");
+  await expect(page.locator(".thumb")).toHaveCount(10);
+  await page.getByRole("button", { name: "Electronic gear" }).click();
+  await expect(page.getByRole("button", { name: "gear.c" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "Electronic gear" })).toBeVisible();
+  await expect(status(page)).toHaveText("Card ready.");
+  await expect(page.locator("output[data-axis]")).toHaveCount(2);
+  await fromMenu(page, "Samples");
+  const samples = page.getByRole("dialog", { name: "Samples" });
+  await expectAccessible(page);
+  await samples.getByRole("button", { name: "A handover" }).click();
+  await expect(samples).toHaveCount(0);
+  await expect(page.getByRole("button", { name: "awaited.c" })).toBeVisible();
+  await page.getByLabel("Programs of this lesson").selectOption("Program 2");
+  await expect(page.getByRole("button", { name: "gear.c" })).toBeVisible();
+});
+
+test("the pictures of the samples move, and stand still for who wants no motion", async ({
+  page,
+}) => {
+  await page.goto("./");
+  const pictures = page.locator(".thumb svg");
+  await expect(pictures).toHaveCount(10);
+  for (const picture of await pictures.all()) {
+    expect(await picture.locator("animate").count()).toBeGreaterThan(0);
+  }
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.reload();
+  await expect(pictures).toHaveCount(10);
+  await expect(page.locator("animate")).toHaveCount(0);
 });
 
 for (const language of ["en-US", "zh-CN"]) {

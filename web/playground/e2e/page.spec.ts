@@ -124,7 +124,7 @@ test("the menu of the bar is walked through with keys", async ({ page }) => {
   const button = page.getByRole("button", { name: "More" });
   const items = page.getByRole("menuitem");
   await button.press("Enter");
-  await expect(items).toHaveText(["Open…", "Make a lesson", "Keys", "Colours: system"]);
+  await expect(items).toHaveText(["Samples", "Open…", "Make a lesson", "Keys", "Colours: system"]);
   await expect(items.first()).toBeFocused();
   await page.keyboard.press("ArrowUp");
   await expect(items.last()).toBeFocused();

@@ -1,6 +1,7 @@
 import { effect } from "@preact/signals";
 import { afterEach, expect, test, vi } from "vitest";
 
+import { offerLessons } from "../src/store/lessons.js";
 import { ownProgram } from "../src/store/own_program.js";
 import {
   copyProgram,
@@ -9,6 +10,7 @@ import {
   openLesson,
   openLessonWith,
   openProgram,
+  openSample,
   removeProgram,
   resetProgram,
   showFile,
@@ -155,6 +157,24 @@ test("another tab with the same text, another lesson or nonsense changes nothing
   expect(source.shelf.value).toBe(shelf);
   takeFromElsewhere("shelf.first", shelf);
   expect(source.shelf.value).toEqual(shelf);
+});
+
+test("a sample becomes a program of one's own, with its words and channels", () => {
+  stubStorage();
+  const files = { "gear.c": "int main() {}", "gear.toml": 'program = "gear.c"' };
+  const gear = { ...lesson, id: "gear", files, program: "gear.c", main: "gear.toml" };
+  const title = { en: "Gear", zh: "齿轮" };
+  offerLessons([], [{ ...gear, title, scope: ["axis2.prfVel"] }]);
+  openSample(gear);
+  expect(lastLesson()).toBe("own");
+  expect(source.lesson.value).toMatchObject({ id: "own", title, scope: ["axis2.prfVel"] });
+  expect(source.project.value).toEqual({ main: "gear.toml", files, structured: false });
+  edit("gear.c", "int x;");
+  openProgram(0);
+  expect(source.lesson.value).toBe(ownProgram);
+  openProgram(1);
+  expect(source.lesson.value.title).toEqual(title);
+  offerLessons([]);
 });
 
 test("a program of one's own brings the names of its files, also when it is opened again", () => {

@@ -1,6 +1,6 @@
 // Builds the page: static files in a folder, which any server of files can hand out.
 //   node tools/bundle.js FOLDER MODULE...
-// The modules are oncard.wasm and oncard-full.wasm. The licences of everything that is bundled are put beside it.
+// The modules are oncard.wasm and oncard-full.wasm; the first one draws the pictures of the samples. The licences of everything that is bundled are put beside it.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
@@ -10,22 +10,25 @@ import { collectLessons } from "@oncard/lessons/collect";
 import { collectSamples } from "@oncard/lessons/samples";
 import { build } from "esbuild";
 
+import { recordSamples } from "./record_samples.js";
+
 const here = fileURLToPath(new URL("..", import.meta.url));
 
 /** The lessons and the samples as a module of the bundle. */
-const lessons = {
+const lessonsWith = (pictures) => ({
   name: "lessons",
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^virtual:lessons$/ }, () => ({ path: "lessons", namespace: "lessons" }));
     onLoad({ filter: /.*/, namespace: "lessons" }, () => ({
       contents: JSON.stringify({
         offered: collectLessons().map(({ lesson }) => lesson),
-        samples: collectSamples(),
+        samples: collectSamples().map(({ lesson }) => lesson),
+        pictures,
       }),
       loader: "json",
     }));
   },
-};
+});
 
 /** The folder of the package that a bundled file belongs to; undefined for files of this project. */
 function packageOf(path) {
@@ -51,6 +54,7 @@ function licenceOf(folder) {
 export async function bundle(folder, modules) {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
+  const pictures = await recordSamples(modules[0], collectSamples());
   const { metafile } = await build({
     absWorkingDir: here,
     entryPoints: { main: "src/main.tsx", worker: "src/session/worker.ts" },
@@ -65,7 +69,7 @@ export async function bundle(folder, modules) {
     metafile: true,
     legalComments: "none",
     logLevel: "warning",
-    plugins: [lessons],
+    plugins: [lessonsWith(pictures)],
   });
   for (const file of ["index.html", "icon.svg"]) copyFileSync(join(here, file), join(folder, file));
   for (const module of modules) copyFileSync(module, join(folder, basename(module)));

@@ -3,6 +3,7 @@
 import type { Ref } from "preact";
 import { useRef, useState } from "preact/hooks";
 
+import { Gallery } from "../lesson/gallery.js";
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
 import { session } from "../session/bench.js";
@@ -62,7 +63,7 @@ function Tool({
 
 export function Toolbar() {
   const { controls: t } = texts.value;
-  const [shown, setShown] = useState<"keys" | "share" | "teach" | undefined>(undefined);
+  const [shown, setShown] = useState<"keys" | "samples" | "share" | "teach" | undefined>(undefined);
   const { language, speed, theme } = settings;
   // What was edited meanwhile is not what runs: Run loads it.
   const isRunning = session.notice.value.kind === "running" && !isEdited.value;
@@ -140,6 +141,12 @@ export function Toolbar() {
         <Menu
           label={t.more}
           items={[
+            {
+              text: texts.value.welcome.samples,
+              onChosen: () => {
+                setShown("samples");
+              },
+            },
             { text: t.open, title: t.openRecord, onChosen: () => input.current?.click() },
             {
               text: t.teach,
@@ -159,6 +166,11 @@ export function Toolbar() {
       </div>
       <RecordInput input={input} />
       {shown === "keys" && <KeysDialog onClose={close} />}
+      {shown === "samples" && (
+        <Dialog title={texts.value.welcome.samples} onClose={close}>
+          <Gallery onChosen={close} />
+        </Dialog>
+      )}
       {shown === "teach" && <LessonDialog onClose={close} />}
       {shown === "share" && <ShareDialog onClose={close} />}
     </header>

@@ -4,6 +4,7 @@ import { lessons } from "../store/lessons.js";
 import { ownProgram } from "../store/own_program.js";
 import { openLesson } from "../store/source.js";
 import { texts } from "../texts/texts.js";
+import { Gallery } from "./gallery.js";
 import { VerdictBox } from "./verdict.js";
 
 export function Welcome() {
@@ -39,6 +40,8 @@ export function Welcome() {
         </button>
       </div>
       <VerdictBox />
+      <h3>{t.samples}</h3>
+      <Gallery />
     </div>
   );
 }

@@ -55,11 +55,18 @@ export const ownProgram: Lesson = {
   scope: ["axis1.prfVel", "axis2.prfVel"],
 };
 
-/** The place for programs of the reader's own, with the names of the files that are there. */
-export function ownProgramOf(files: Record<string, string>): Lesson {
+/**
+ * The place for programs of the reader's own, with the names of the files that are there. Those of a
+ * sample also bring its words and its channels.
+ */
+export function ownProgramOf(files: Record<string, string>, samples: readonly Lesson[]): Lesson {
   const { program: usual, main: usualMain } = ownProgram;
   if (Object.hasOwn(files, usual) && Object.hasOwn(files, usualMain)) return ownProgram;
   const names = Object.keys(files);
+  const known = samples.find(
+    (each) => String(Object.keys(each.files).sort()) === String([...names].sort()),
+  );
+  if (known) return { ...known, id: ownProgram.id };
   const program = names.find((name) => name.endsWith(".c"));
   const main = names.find((name) => name.endsWith(".toml"));
   return program === undefined || main === undefined

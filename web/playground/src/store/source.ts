@@ -7,6 +7,7 @@ import type { Lesson } from "@oncard/lessons";
 import { computed } from "@preact/signals";
 
 import { keep, kept } from "./keep.js";
+import { lessons } from "./lessons.js";
 import { ownProgram, ownProgramOf } from "./own_program.js";
 import {
   type Files,
@@ -60,7 +61,7 @@ function shelfOf({ id, files: start }: Lesson): Shelf {
 function fitting(lesson: Lesson, shelf: Shelf): Lesson {
   const open = openFiles(shelf);
   const fits = [lesson.program, lesson.main].every((name) => Object.hasOwn(open, name));
-  return fits || lesson.id !== ownProgram.id ? lesson : ownProgramOf(open);
+  return fits || lesson.id !== ownProgram.id ? lesson : ownProgramOf(open, lessons.samples.peek());
 }
 
 function show(opened: Lesson, shelf: Shelf, file: string): void {
@@ -94,6 +95,12 @@ export function openLesson(lesson: Lesson): void {
 export function openLessonWith(lesson: Lesson, program: Files): void {
   keep("lesson", lesson.id);
   show(lesson, withProgram(shelfOf(lesson), program), lesson.program);
+}
+
+/** Opens a sample as a program of the reader's own, beside those that are there. */
+export function openSample({ files: start }: Lesson): void {
+  keep("lesson", ownProgram.id);
+  show(ownProgram, withProgram(shelfOf(ownProgram), start), ownProgram.program);
 }
 
 /** Opens another program of this lesson. */

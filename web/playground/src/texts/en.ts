@@ -270,6 +270,7 @@ export const en = {
     text: "A motion card, simulated to the pulse, in this page. Nothing to install.",
     first: "Start the first lesson",
     own: "Write my own program",
+    samples: "Samples",
   },
 
   lessons: {

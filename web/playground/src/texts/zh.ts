@@ -260,6 +260,7 @@ export const zh: Texts = {
     text: "一张运动控制卡，精确到每个脉冲，就在这个页面里。无需安装。",
     first: "开始第一课",
     own: "写自己的程序",
+    samples: "示例",
   },
 
   lessons: {
