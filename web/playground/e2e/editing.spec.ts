@@ -40,7 +40,7 @@ test("a run stops at the breakpoints, which are set beside the lines", async ({ 
   await besides(4);
   await expect(list).toHaveCount(0);
   await run.click();
-  await expect(status(page)).toHaveText(/^Finished/);
+  await expect(status(page)).toHaveText("Card: finished.");
 });
 
 test("a click at the number of a line sets its breakpoint", async ({ page }) => {

@@ -94,6 +94,25 @@ for (const [file, wrong] of [
   });
 }
 
+test("a program of one's own need not move both axes; what its scenario asks has a line", async ({
+  page,
+}) => {
+  await open(page);
+  await openOwn(page);
+  await atMaximum(page);
+  await write(page, "int x;\nint main()\n{\n  x = 1;\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  const run = page.getByRole("button", { name: "Run", exact: true });
+  await run.click();
+  await expect(status(page)).toHaveText(/^Card: (finished|the scenario's time is over)/);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\nexpect = ["x == 1",\n  "axis2.prfPos == 5"]\n');
+  await run.click();
+  await expect(status(page)).toContainText(
+    /axis2\.prfPos == 5 does not hold.*\(scenario\.toml, line 3\)/,
+  );
+});
+
 test("a program that has ended runs again from its start", async ({ page }) => {
   await open(page);
   await openOwn(page);

@@ -5,6 +5,7 @@ import type { Stop } from "@oncard/engine";
 
 import { type Notice, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
+import { lineOfCondition } from "../session/required.js";
 import { keeps } from "../store/keep.js";
 import { showWarnings } from "../store/layout.js";
 import { source } from "../store/source.js";
@@ -18,12 +19,21 @@ function lineOf(thread: number): number {
   return present.state.value?.threads.find((each) => each.thread === thread)?.line ?? 0;
 }
 
-function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
+/** What does not hold, with its line in the scenario. */
+function located({ status: t }: Texts, text: string): string {
+  const { main = "", files = {} } = session.project.value ?? {};
+  const line = lineOfCondition(text, files[main] ?? "");
+  return line === undefined ? text : t.atLine(text, main, line);
+}
+
+function stopText(all: Texts, stop: Stop): [string, Tone] {
+  const { status: t } = all;
   const { thread = 0, text = "", failed = [] } = stop;
   switch (stop.reason) {
     case "end": {
       const over = present.state.value?.over;
-      if (failed.length > 0) return [t.failed(failed.join("; ")), "bad"];
+      if (failed.length > 0)
+        return [t.failed(failed.map((each) => located(all, each)).join("; ")), "bad"];
       if (over === "deadlock") return [t.deadlock, "bad"];
       if (over === "host-end") return [t.hostEnd, "good"];
       return [over === "time-limit" ? t.finishedLimit : t.finished, "good"];
@@ -33,7 +43,7 @@ function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
     case "refusal":
       return [t.refusal(thread, text), "bad"];
     case "requirement":
-      return [t.requirement(text), "bad"];
+      return [t.requirement(located(all, text)), "bad"];
     case "line":
       return [t.breakpoint(thread, lineOf(thread)), ""];
     case "deviation":

@@ -36,7 +36,9 @@ lbl_wait:
 
 const scenario = `program = "program.c"
 until_ms = 2500
-expect = ["axis1.prfPos == 50000", "axis2.prfPos == 30000"]
+
+# What must hold at the end, for example:
+# expect = ["axis1.prfPos == 50000", "axis2.prfPos == 30000"]
 `;
 
 export const ownProgram: Lesson = {

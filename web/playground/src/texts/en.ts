@@ -82,6 +82,7 @@ export const en = {
     fault: (thread: number, text: string) => `Card: fault of thread ${thread}: ${text}`,
     refusal: (thread: number, text: string) => `Command of thread ${thread} refused: ${text}`,
     requirement: (text: string) => `Requirement: ${text}`,
+    atLine: (text: string, file: string, line: number) => `${text} (${file}, line ${line})`,
     breakpoint: (thread: number, line: number) =>
       `Breakpoint: thread ${thread} is before line ${line}.`,
     hostEnd: "The host's calls are over; all were answered as recorded.",

@@ -84,6 +84,7 @@ export const zh: Texts = {
     fault: (thread, text) => `控制卡：线程 ${thread} 出错：${text}`,
     refusal: (thread, text) => `线程 ${thread} 的指令被拒绝：${text}`,
     requirement: (text) => `要求：${text}`,
+    atLine: (text, file, line) => `${text}（${file} 第 ${line} 行）`,
     breakpoint: (thread, line) => `断点：线程 ${thread} 停在第 ${line} 行之前。`,
     hostEnd: "主机调用已结束，应答均与记录一致。",
     deviation: (text) => `与记录不符：${text}`,
