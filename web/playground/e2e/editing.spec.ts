@@ -11,6 +11,8 @@ test("a run stops at the breakpoints, which are set beside the lines", async ({ 
   await openOwn(page);
   await write(page, counting);
   await expect(page.getByText("No messages")).toBeVisible();
+  // What says so takes a row above the program.
+  await expect(page.getByText("The program was edited")).toHaveCount(0);
   const besides = async (line: number) => {
     const text = await page
       .locator(".cm-line")
