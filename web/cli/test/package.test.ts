@@ -181,7 +181,7 @@ describe.skipIf(!existsSync(command))("the package", () => {
     const host = npm(["test", "18_lines"], at);
     expect(host.status).toBe(0);
     expect(host.out).toContain("skip 18_lines/lines.host.toml\n     skipped: host programs need");
-  });
+  }, 60_000); // all samples, each by both commands
 
   test("says what it is made of, and what it cannot draw", () => {
     const { status, out, err } = npm(["doctor", "--format=json"], folder());
