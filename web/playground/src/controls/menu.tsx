@@ -1,6 +1,6 @@
 // What is needed rarely, behind a button with three points: a menu that the keyboard walks through.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 export interface MenuItem {
   text: string;
@@ -18,7 +18,8 @@ export function Menu({ label, items }: { label: string; items: MenuItem[] }) {
     setOpen(false);
     button.current?.focus();
   };
-  useEffect(() => {
+  // With the menu itself: a click that follows at once closes it, too.
+  useLayoutEffect(() => {
     if (!isOpen) return undefined;
     buttons()[0]?.focus();
     const closeOutside = ({ target }: Event) => {
