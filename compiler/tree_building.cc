@@ -20,13 +20,18 @@ class LevelsAbove {
   void Continue(const std::unique_ptr<Node>& below) {
     Add(below, 0);
   }
+  void Nest(const Specifiers& specifiers) {
+    Nest(specifiers.structure);
+    if (specifiers.enumeration == nullptr) return;
+    for (const Enumerator& constant : specifiers.enumeration->enumerators) Nest(constant.value);
+  }
   void Nest(const TypeName& type) {
+    Nest(type.specifiers);
     for (const ExpressionPtr& size : type.sizes) Nest(size);
-    Nest(type.specifiers.structure);
-    if (type.specifiers.enumeration == nullptr) return;
-    for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
-      Nest(constant.value);
-    }
+  }
+  void Nest(const Declarator& declarator) {
+    for (const ExpressionPtr& size : declarator.sizes) Nest(size);
+    Nest(declarator.initialiser);
   }
   Levels levels() const { return levels_; }
 
@@ -273,10 +278,18 @@ void ParserDriver::AddPrototypes(Function& first, std::vector<std::unique_ptr<Fu
 std::unique_ptr<StructSpecifier> ParserDriver::DefinedStruct(
     std::unique_ptr<StructSpecifier> structure, std::vector<StatementPtr> members) {
   LevelsAbove above;
-  for (const StatementPtr& member : members) above.Nest(member->specifiers.structure);
+  for (const StatementPtr& member : members) {
+    above.Nest(member->specifiers);
+    for (const Declarator& declarator : member->declarators) above.Nest(declarator);
+  }
   structure->defined = true;
   structure->levels = above.levels();
-  if (Fits(structure->levels, structure->range)) structure->members = std::move(members);
+  if (Fits(structure->levels, structure->range)) {
+    structure->members = std::move(members);
+  } else {
+    structure->levels = {};
+    structure->members.push_back(MakeStatement(Statement::Kind::kError, structure->range));
+  }
   return structure;
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,33 @@ TEST(LoweringLimits, LevelsOfParentheses) {
   };
   EXPECT_TRUE(Lower(nested(99)).text.has_value());
   ExpectError(nested(100), Codes{130}, 3, "200");
+}
+
+TEST(LoweringLimits, StructuresInStructures) {
+  struct Nesting {
+    const char* begin;
+    const char* innermost;
+    const char* end;
+    const char* name;
+    int count;
+  };
+  // As members, in the sizes of members, and in the values of an enum. A definition in a size is
+  // refused by itself, too.
+  for (const Nesting& nesting : {Nesting{"struct { ", "int a; ", "} m; ", "", 250},
+                                 {"struct { int a[sizeof(", "int", ")]; } ", "x; ", 150},
+                                 {"struct { enum { A = sizeof(", "int", ") } e; } ", "x; ", 150}}) {
+    const auto nested = [&nesting](int count) {
+      return Lower(Times(count, nesting.begin) + nesting.innermost + Times(count, nesting.end) +
+                   nesting.name + "\nint v;\nvoid t0() { v = 1; }\n");
+    };
+    const Lowering lowering = nested(nesting.count);
+    EXPECT_FALSE(lowering.text.has_value());
+    EXPECT_EQ(std::ranges::count(lowering.diagnostics, 130,
+                                 [](const Diagnostic& found) { return found.info->code; }),
+              1)
+        << nesting.begin;
+    EXPECT_FALSE(nested(6'000).text.has_value());
+  }
 }
 
 TEST(LoweringLimits, BranchesInARow) {
