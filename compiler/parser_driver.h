@@ -156,12 +156,8 @@ StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> decl
                              SourceRange range);
 /// An enum without its constants; `name` may be nullptr.
 std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange range);
-/// The declaration of an enum alone: `enum Name { A, B };`.
-StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range);
 /// A struct without its members; `name` may be nullptr.
 std::unique_ptr<StructSpecifier> MakeStruct(const Token* name, SourceRange range);
-/// The declaration of a struct alone: `struct Name { int a; };`.
-StatementPtr MakeStructDeclaration(std::unique_ptr<StructSpecifier> structure, SourceRange range);
 /// `last` is nullptr unless the case is a range.
 StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
                       SourceRange range);

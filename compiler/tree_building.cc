@@ -360,13 +360,6 @@ std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange rang
   return enumeration;
 }
 
-StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range) {
-  Specifiers specifiers;
-  specifiers.range = enumeration->range;
-  specifiers.enumeration = std::move(enumeration);
-  return MakeDeclaration(std::move(specifiers), {}, range);
-}
-
 std::unique_ptr<StructSpecifier> MakeStruct(const Token* name, SourceRange range) {
   auto structure = std::make_unique<StructSpecifier>();
   structure->range = range;
@@ -376,13 +369,6 @@ std::unique_ptr<StructSpecifier> MakeStruct(const Token* name, SourceRange range
     structure->tag = fmt::format("struct {}", name->text);
   }
   return structure;
-}
-
-StatementPtr MakeStructDeclaration(std::unique_ptr<StructSpecifier> structure, SourceRange range) {
-  Specifiers specifiers;
-  specifiers.range = structure->range;
-  specifiers.structure = std::move(structure);
-  return MakeDeclaration(std::move(specifiers), {}, range);
 }
 
 StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
