@@ -89,15 +89,8 @@ bool Lowerer::AssignCardStructure(const Expression& target, const Expression& va
            MakeMessage("both sides must be the same structure", "两边必须是同一种结构"));
     return false;
   }
-  for (size_t i = 0; i < to->type.structure->members.size(); ++i) {
-    Operand member = to->operand;
-    member.kind = Operand::Kind::kMember;
-    member.member = static_cast<int16_t>(i);
-    member.type = gtcalls::ProgramType(to->type.structure->members[i].type);
-    Operand source = member;
-    source.variable = from->operand.variable;
-    EmitCopy(member, source, target.range);
-  }
+  CopyLeaf(StructureAt(to->operand.variable, to->type),
+           StructureAt(from->operand.variable, from->type), target.range);
   return true;
 }
 

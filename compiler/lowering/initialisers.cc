@@ -95,8 +95,12 @@ std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designa
     const std::optional<int64_t> member =
         is_structure ? MemberNumber(whole.type, designator.text) : std::nullopt;
     if (member) return Designation{*member, *member};
-    Report(Code::kNoMember, designator.op_range, is_structure ? NameOfStructure(whole.type) : name,
-           Source(designator.op_range));
+    if (is_structure && whole.type.own != nullptr) {
+      ReportNoMember(*whole.type.own, designator.text, designator.op_range);
+    } else {
+      Report(Code::kNoMember, designator.op_range,
+             is_structure ? NameOfStructure(whole.type) : name, Source(designator.op_range));
+    }
     return std::nullopt;
   }
   if (whole.dimensions.empty()) {
@@ -387,9 +391,8 @@ void Lowerer::Initialise(const Expression& initialiser, std::string_view name, S
     }
     const std::optional<Place> source = LowerPlace(*value);
     if (source && source->type.structure == symbol.type.structure) {
-      ArrayPlace from;
-      from.variable = source->operand.variable;
-      CopyLeaf(PlaceAt(symbol, 0, nullptr), from, value->range);
+      CopyLeaf(PlaceAt(symbol, 0, nullptr), StructureAt(source->operand.variable, source->type),
+               value->range);
       return;
     }
   }
@@ -411,9 +414,8 @@ void Lowerer::Initialise(const Expression& initialiser, std::string_view name, S
     if (own != nullptr) {
       StoreStructure(whole_part, *element.value);
     } else if (const std::optional<Place> source = LowerPlace(*element.value)) {
-      ArrayPlace from;
-      from.variable = source->operand.variable;
-      CopyLeaf(whole_part, from, element.value->range);
+      CopyLeaf(whole_part, StructureAt(source->operand.variable, source->type),
+               element.value->range);
     }
   }
   for (size_t i = 0; i < leaves; ++i) {

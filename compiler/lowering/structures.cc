@@ -137,9 +137,10 @@ void Lowerer::AddMember(OwnStructure& structure, const Declarator& declarator, c
 }
 
 const OwnMember* Lowerer::MemberOf(const OwnStructure& structure, std::string_view name) {
-  const auto found = std::find_if(structure.members.begin(), structure.members.end(),
-                                  [name](const OwnMember& member) { return member.name == name; });
-  return found != structure.members.end() ? &*found : nullptr;
+  Type type;
+  type.own = &structure;
+  const std::optional<int64_t> number = MemberNumber(type, name);
+  return number ? &structure.members[static_cast<size_t>(*number)] : nullptr;
 }
 
 void Lowerer::ReportNoMember(const OwnStructure& structure, std::string_view name,

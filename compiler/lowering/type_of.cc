@@ -124,10 +124,9 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
 // Which member of a structure has a name.
 std::optional<int64_t> Lowerer::MemberNumber(const Type& type, std::string_view name) {
   const auto find = [name](const auto& members) -> std::optional<int64_t> {
-    for (size_t i = 0; i < members.size(); ++i) {
-      if (members[i].name == name) return static_cast<int64_t>(i);
-    }
-    return std::nullopt;
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [name](const auto& member) { return member.name == name; });
+    return found != members.end() ? std::optional(found - members.begin()) : std::nullopt;
   };
   return type.own != nullptr ? find(type.own->members) : find(type.structure->members);
 }

@@ -163,6 +163,16 @@ TEST(LoweringLimits, SlotsOfTheGlobalsNameTheLargest) {
               "1100 slots of 1024; the largest: b (700), c (300), a (100)");
 }
 
+TEST(Lowering, NamesTheMemberThatIsMeant) {
+  const Lowering lowering = Lower(
+      "struct size { int width; };\nstruct size s = {.widht = 1};\nvoid t0() { s.widht = 2; }\n");
+  ASSERT_EQ(lowering.diagnostics.size(), 2u);
+  for (const Diagnostic& diagnostic : lowering.diagnostics) {
+    ASSERT_EQ(diagnostic.notes.size(), 1u);
+    EXPECT_EQ(diagnostic.notes[0].message.en, "did you mean 'width'?");
+  }
+}
+
 TEST(Lowering, CountsWhatAFunctionTakes) {
   const Lowering lowering =
       Lower("int v, list[3];\nvoid t0(int n) {\n  while (n > 0) v += n--;\n}\n");
