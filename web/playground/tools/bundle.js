@@ -1,6 +1,7 @@
 // Builds the page: static files in a folder, which any server of files can hand out.
 //   node tools/bundle.js FOLDER MODULE...
-// The modules are oncard.wasm and oncard-full.wasm; the first one draws the pictures of the samples. The licences of everything that is bundled are put beside it.
+// The modules are oncard.wasm and oncard-full.wasm; the first one draws the pictures of the samples. The
+// licences of everything that is bundled are put beside them.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
