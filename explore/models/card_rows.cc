@@ -83,9 +83,14 @@ uint32_t CardRows::NumberOfThread(const ThreadState& state, std::vector<int64_t>
   key_.insert(key_.end(), page.begin(), page.end());
   return threads_.NumberOf(KeyOfWords(key_), [&] {
     const vm::Function& function = model_.image_->object.functions[state.function];
-    const bool runs = state.run == vm::ThreadRun::kRunning;
-    const bool at_end = runs && state.pc >= function.instructions.size();
-    return Thread{state, std::move(page), at_end};
+    const bool running = state.run == vm::ThreadRun::kRunning;
+    positions_.push_back({.wake_cycle = state.wake_cycle,
+                          .pc = state.pc,
+                          .function = state.function,
+                          .running = running,
+                          .waiting = state.waiting,
+                          .at_end = running && state.pc >= function.instructions.size()});
+    return Thread{state, std::move(page)};
   });
 }
 
@@ -312,9 +317,10 @@ int64_t CardRows::ValueOf(const Row& row, uint32_t slot) const {
 }
 
 bool CardRows::CanContinue(const Row& row, size_t place) const {
+  const Position& position = PositionOf(row, place);
+  if (!position.running || position.wake_cycle > CycleOf(row)) return false;
+  if (!position.waiting) return true;
   const ThreadState& thread = ThreadOf(row, place).state;
-  if (thread.run != vm::ThreadRun::kRunning || thread.wake_cycle > CycleOf(row)) return false;
-  if (!thread.waiting) return true;
   const vm::SlotAddress& slot = thread.wait_slot;
   int64_t raw = 0;
   if (slot.global) {
@@ -341,9 +347,9 @@ uint32_t CardRows::Runnable(const Row& row) const {
 
 bool CardRows::SomeoneFinishes(const Row& row) const {
   for (size_t place = 0; place < thread_count(); ++place) {
-    const Thread& thread = ThreadOf(row, place);
-    const bool slept = thread.state.wake_cycle != 0 || thread.state.waiting;
-    if (thread.at_end && slept && CanContinue(row, place)) return true;
+    const Position& position = PositionOf(row, place);
+    const bool slept = position.wake_cycle != 0 || position.waiting;
+    if (position.at_end && slept && CanContinue(row, place)) return true;
   }
   return false;
 }

@@ -33,7 +33,16 @@ class CardRows {
   struct Thread {
     vm::ThreadState state;
     std::vector<int64_t> page;  ///< without the zeros at its end
-    bool at_end = false;        ///< of its function: it finishes when it wakes up
+  };
+  /// What tells whether a thread can go on, and with which statement. Searches ask for this much
+  /// more often than for the rest, so it is kept apart.
+  struct Position {
+    int64_t wake_cycle = 0;  ///< as in vm::ThreadState
+    uint16_t pc = 0;
+    uint8_t function = 0;
+    bool running = false;
+    bool waiting = false;
+    bool at_end = false;  ///< of its function: it finishes when it wakes up
   };
   struct Body {
     std::vector<uint32_t> parts;  ///< runtime::BodyDivision
@@ -90,6 +99,9 @@ class CardRows {
   uint32_t BodyNumber(const Row& row) const { return row.parts[thread_count() + 1]; }
   const Thread& ThreadOf(const Row& row, size_t place) const {
     return threads_[ThreadNumber(row, place)];
+  }
+  const Position& PositionOf(const Row& row, size_t place) const {
+    return positions_[ThreadNumber(row, place)];
   }
   const Body& BodyOf(const Row& row) const { return bodies_[BodyNumber(row)]; }
   const Progress& ProgressOf(const Row& row) const {
@@ -155,6 +167,7 @@ class CardRows {
   std::vector<size_t> places_;  ///< of the model's threads among them
 
   ValueTable<Thread> threads_;
+  std::vector<Position> positions_;  ///< of `threads_`, by their numbers
   /// The number of the globals and their values, without the zeros at their end; then the number,
   /// the size and the values of each page that has no thread.
   ValueTable<std::vector<int64_t>> globals_;

@@ -192,10 +192,9 @@ bool CardSteps::Settle(Row* row, Progress* progress) {
     bool quiet = true;
     bool sleeps = false;
     for (size_t place = 0; place < thread_count(); ++place) {
-      const ThreadState& thread = ThreadOf(*row, place).state;
-      const bool runs = thread.run == vm::ThreadRun::kRunning;
-      quiet = quiet && !runs;
-      sleeps = sleeps || (runs && thread.wake_cycle > cycle);
+      const Position& thread = PositionOf(*row, place);
+      quiet = quiet && !thread.running;
+      sleeps = sleeps || (thread.running && thread.wake_cycle > cycle);
     }
     if (quiet) {
       row->finished = model_.others_end_runs_;
@@ -279,7 +278,7 @@ const CardSteps::Judgement& CardSteps::JudgementOf(const Row& row, size_t requir
 const CardSteps::Statement& CardSteps::StatementOf(const Row& row, size_t place) {
   static const Statement kAlone = {
       .alone = true, .thread = 0, .history = {}, .globals = {}, .body = {}};
-  const ThreadState& thread = ThreadOf(row, place).state;
+  const Position& thread = PositionOf(row, place);
   const std::vector<Instruction>& function = instructions_[thread.function];
   if (thread.pc >= function.size()) return kAlone;
   const Instruction& instruction = function[thread.pc];

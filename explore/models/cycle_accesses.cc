@@ -172,19 +172,19 @@ void CycleAccesses::See(uint32_t access, Place* place) {
 }
 
 bool CycleAccesses::Active(const Row& row, size_t place) const {
-  const vm::ThreadState& thread = rows_.ThreadOf(row, place).state;
-  return thread.run == vm::ThreadRun::kRunning && thread.wake_cycle <= rows_.CycleOf(row);
+  const CardRows::Position& thread = rows_.PositionOf(row, place);
+  return thread.running && thread.wake_cycle <= rows_.CycleOf(row);
 }
 
 int64_t CycleAccesses::MostOf(const Row& row, size_t place) const {
   if (!Active(row, place)) return 0;
-  const uint32_t position = rows_.ThreadOf(row, place).state.pc;
+  const uint32_t position = rows_.PositionOf(row, place).pc;
   const CycleCode& code = code_[place];
   return position < by_code_[place].size() ? code.MostFrom(position) : 0;
 }
 
 uint32_t CycleAccesses::NextOf(const Row& row, size_t place) {
-  const uint32_t by_code = by_code_[place][rows_.ThreadOf(row, place).state.pc];
+  const uint32_t by_code = by_code_[place][rows_.PositionOf(row, place).pc];
   if (by_code != kByCommand) return by_code;
   const CardRows::Body& body = rows_.BodyOf(row);
   key_.assign({static_cast<int64_t>(place), CardRows::ThreadNumber(row, place),
@@ -197,7 +197,7 @@ uint32_t CycleAccesses::NextOf(const Row& row, size_t place) {
 }
 
 uint32_t CycleAccesses::LookAt(const Row& row, size_t place) {
-  const uint32_t position = rows_.ThreadOf(row, place).state.pc;
+  const uint32_t position = rows_.PositionOf(row, place).pc;
   if (position >= by_code_[place].size()) return kNothing;
   const uint32_t access = NextOf(row, place);
   See(access, &places_[place][position]);
@@ -227,11 +227,11 @@ bool CycleAccesses::Meets(uint32_t access, size_t place, size_t position) {
 
 bool CycleAccesses::NobodyNotices(const Row& row, size_t place, uint32_t access, uint32_t frozen) {
   if (access == kNothing || accesses_[access].visible) return false;
-  const vm::ThreadState& thread = rows_.ThreadOf(row, place).state;
+  const CardRows::Position& thread = rows_.PositionOf(row, place);
   if (thread.waiting || places_[place][thread.pc].asserted) return false;
   for (size_t other = 0; other < rows_.thread_count(); ++other) {
     const bool silent = other == place || (frozen >> other & 1) != 0 || !Active(row, other);
-    if (!silent && Meets(access, other, rows_.ThreadOf(row, other).state.pc)) return false;
+    if (!silent && Meets(access, other, rows_.PositionOf(row, other).pc)) return false;
   }
   return true;
 }

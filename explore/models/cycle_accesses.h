@@ -53,7 +53,6 @@ class CycleAccesses {
   bool NobodyNotices(const Row& row, size_t place, uint32_t access, uint32_t frozen);
 
  private:
-  /// Of a position in the function of a thread.
   /// What is accessed of the program itself, which no other command can change, and of the card.
   struct Parts {
     runtime::StatementAccess program;  ///< threads and their pages
@@ -62,6 +61,7 @@ class CycleAccesses {
     void Add(const runtime::Touched& touched);
     bool DependOn(const Parts& other) const;
   };
+  /// Of a position in the function of a thread.
   struct Place {
     bool asserted = false;       ///< an assert is checked before the statement
     std::vector<uint32_t> seen;  ///< numbers of accesses

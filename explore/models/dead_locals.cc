@@ -78,7 +78,7 @@ std::vector<LocalSlots> DeadLocals::DeadIn(const OfThread& thread) const {
 
 void DeadLocals::LookAt(const Row& row, size_t place) {
   OfThread& thread = threads_[place];
-  const uint32_t position = rows_.ThreadOf(row, place).state.pc;
+  const uint32_t position = rows_.PositionOf(row, place).pc;
   if (position >= thread.unsure.size() || thread.unsure[position]) return;
   if (rows_.OutputsOf(thread.function, position).slots.empty()) return;
   if (rows_.WritesOutputs(row, place)) return;
