@@ -11,7 +11,6 @@
 #include "explore/models/cycle_accesses.h"
 #include "explore/models/dead_locals.h"
 #include "explore/models/key_set.h"
-#include "explore/models/word_key.h"
 
 namespace oncard::explore {
 namespace {
@@ -65,7 +64,8 @@ class WithinCycle {
   /// reached.
   template <typename Leave>
   bool SearchFrom(uint32_t start, const Row& row, const Leave& leave) {
-    Add(row, 0, {kNone, start, kFreezes});
+    Reach(row, 0, {kNone, start, kFreezes});
+    AddReached();
     while (!waiting_.empty()) {
       if (IsOver()) return false;
       const Waiting state = std::move(waiting_.back());
@@ -111,6 +111,11 @@ class WithinCycle {
     uint32_t frozen = 0;  ///< bit n: the thread with the place n
     Row row;
   };
+  struct Reached {
+    StateKey key;
+    State state;
+    Waiting waiting;
+  };
   /// A statement that nobody notices.
   struct Unnoticed {
     int thread = -1;
@@ -124,17 +129,34 @@ class WithinCycle {
     return counts_.states > limits_.states || IsTold(limits_.stop);
   }
 
-  void Add(Row row, uint32_t frozen, const State& state) {
-    words_ = row.parts;
-    words_.push_back(frozen);
-    if (!known_.Insert(KeyOfWords(words_))) return;
-    ++counts_.states;
-    waiting_.push_back({static_cast<uint32_t>(states_.size()), frozen, std::move(row)});
-    states_.push_back(state);
+  /// Notes a state that will be added. The table of keys is larger than the processor's cache, so
+  /// that it is told early which place will be asked for.
+  void Reach(Row row, uint32_t frozen, const State& state) {
+    const StateKey key = CardRows::KeyOf(row, frozen);
+    known_.Prefetch(key);
+    reached_.push_back({key, state, {0, frozen, std::move(row)}});
+  }
+  /// Adds those of the noted states that are new.
+  void AddReached() {
+    for (Reached& reached : reached_) {
+      if (!known_.Insert(reached.key)) continue;
+      ++counts_.states;
+      reached.waiting.number = static_cast<uint32_t>(states_.size());
+      waiting_.push_back(std::move(reached.waiting));
+      states_.push_back(reached.state);
+    }
+    reached_.clear();
   }
 
   template <typename Leave>
   bool Expand(const Waiting& state, const Leave& leave) {
+    const bool goes_on = ReachNext(state, leave);
+    AddReached();
+    return goes_on;
+  }
+
+  template <typename Leave>
+  bool ReachNext(const Waiting& state, const Leave& leave) {
     const uint32_t choices = ChoicesOf(state);
     for (uint32_t each = choices; each != 0; each &= each - 1) {
       const size_t place = rows_.PlaceOf(std::countr_zero(each));
@@ -149,7 +171,7 @@ class WithinCycle {
     }
     if (unnoticed.may_freeze) {
       const uint32_t frozen = state.frozen | 1u << rows_.PlaceOf(unnoticed.thread);
-      Add(state.row, frozen, {state.number, StartOf(state.number), kFreezes});
+      Reach(state.row, frozen, {state.number, StartOf(state.number), kFreezes});
     }
     return Step(state, unnoticed.thread, leave);
   }
@@ -204,11 +226,12 @@ class WithinCycle {
     ++counts_.transitions;
     reductions_.locals.Forget(rows_.PlaceOf(thread), &next);
     if (rows_.Ended(next) || rows_.CycleOf(next) != rows_.CycleOf(state.row)) {
+      AddReached();
       return leave(std::move(next), state.number, thread);
     }
     if (state.frozen == 0) ForgetBudget(&next);
-    Add(std::move(next), state.frozen,
-        {state.number, StartOf(state.number), static_cast<uint8_t>(thread)});
+    Reach(std::move(next), state.frozen,
+          {state.number, StartOf(state.number), static_cast<uint8_t>(thread)});
     return true;
   }
 
@@ -220,7 +243,7 @@ class WithinCycle {
   KeySet known_;
   std::vector<State> states_;  ///< by the numbers of their keys
   std::vector<Waiting> waiting_;
-  std::vector<uint32_t> words_;
+  std::vector<Reached> reached_;
   /// Of the threads that may execute the next statement, by their places.
   std::array<uint32_t, vm::kThreadCount> next_accesses_{};
 };

@@ -307,7 +307,9 @@ CardModel::State CardRows::Whole(const Row& row) {
   return state;
 }
 
-StateKey CardRows::KeyOf(const Row& row) { return KeyOfWords(row.parts); }
+StateKey CardRows::KeyOf(const Row& row, uint32_t number) {
+  return KeyOfWords(std::span(row.parts), number);
+}
 
 // --- What can come next --------------------------------------------------------------------------
 

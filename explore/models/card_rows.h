@@ -77,7 +77,8 @@ class CardRows {
   /// (motion::Profile::ForgetRuns()).
   void ForgetRuns() { forgets_runs_ = true; }
 
-  static StateKey KeyOf(const Row& row);
+  /// A key of a row, with a number that tells equal ones apart.
+  static StateKey KeyOf(const Row& row, uint32_t number = 0);
   bool Ended(const Row& row) const { return ProgressOf(row).ended; }
   int64_t CycleOf(const Row& row) const { return BodyOf(row).cycle; }
   /// The threads that may execute the next statement, by their numbers in the model.

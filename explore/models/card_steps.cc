@@ -283,6 +283,16 @@ const CardSteps::Statement& CardSteps::StatementOf(const Row& row, size_t place)
   if (thread.pc >= function.size()) return kAlone;
   const Instruction& instruction = function[thread.pc];
   if (instruction.alone) return kAlone;
+  if (instruction.sees_others()) return FindStatement(row, place, instruction);
+  const bool globals = instruction.all_globals || !instruction.globals.empty();
+  return recent_statements_.Of(
+      {static_cast<uint32_t>(place), ThreadNumber(row, place), globals ? GlobalsNumber(row) : 0,
+       instruction.command != nullptr ? BodyNumber(row) : 0},
+      [&]() -> const Statement& { return FindStatement(row, place, instruction); });
+}
+
+const CardSteps::Statement& CardSteps::FindStatement(const Row& row, size_t place,
+                                                     const Instruction& instruction) {
   const BodyAccess* access = nullptr;
   if (instruction.reads_body) access = &AccessOf(row, place, instruction);
   key_.assign({static_cast<int64_t>(place), ThreadNumber(row, place)});

@@ -19,6 +19,7 @@
 
 #include "explore/models/card_rows.h"
 #include "explore/models/key_set.h"
+#include "explore/models/recent_values.h"
 #include "explore/models/value_table.h"
 #include "gtcalls/catalogue.h"
 #include "runtime/observe/statement_access.h"
@@ -84,6 +85,8 @@ class CardSteps : public CardRows {
     bool reads_body = false;
     bool changes_body = false;
     bool looks_around = false;  ///< Supervisor::LooksAround()
+    /// What it does depends on more than its thread, the globals and the body.
+    bool sees_others() const { return changes_body || looks_around; }
     Outputs outputs = {};
   };
   /// What a command accesses of the body, beside the clock.
@@ -116,6 +119,7 @@ class CardSteps : public CardRows {
   bool MayViolate(const Row& before, const Row& after) const;
 
   const Statement& StatementOf(const Row& row, size_t place);
+  const Statement& FindStatement(const Row& row, size_t place, const Instruction& instruction);
   void AddToKey(const Row& row, const Instruction& instruction, const BodyAccess* access);
   void PlanOutputs(const vm::Instruction& instruction, Instruction* plan) const;
   bool WritesOutputs(const Row& row, size_t place, const Instruction& instruction,
@@ -138,6 +142,7 @@ class CardSteps : public CardRows {
   Names reaction_names_;                                ///< of all reactions
 
   ValueTable<Statement> statements_;
+  RecentValues<Statement> recent_statements_;
   ValueTable<BodyAccess> accesses_;
   ValueTable<Cycle> cycles_;
   ValueTable<Judgement> judgements_;

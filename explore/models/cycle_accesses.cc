@@ -186,6 +186,12 @@ int64_t CycleAccesses::MostOf(const Row& row, size_t place) const {
 uint32_t CycleAccesses::NextOf(const Row& row, size_t place) {
   const uint32_t by_code = by_code_[place][rows_.PositionOf(row, place).pc];
   if (by_code != kByCommand) return by_code;
+  return recent_commands_.Of({static_cast<uint32_t>(place), CardRows::ThreadNumber(row, place),
+                              rows_.GlobalsNumber(row), rows_.BodyNumber(row)},
+                             [&]() -> const uint32_t& { return FindCommand(row, place); });
+}
+
+const uint32_t& CycleAccesses::FindCommand(const Row& row, size_t place) {
   const CardRows::Body& body = rows_.BodyOf(row);
   key_.assign({static_cast<int64_t>(place), CardRows::ThreadNumber(row, place),
                rows_.GlobalsNumber(row), body.apart,

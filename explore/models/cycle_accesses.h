@@ -19,6 +19,7 @@
 #include "explore/models/card_model.h"
 #include "explore/models/card_steps.h"
 #include "explore/models/cycle_code.h"
+#include "explore/models/recent_values.h"
 #include "explore/models/value_table.h"
 #include "runtime/observe/statement_access.h"
 
@@ -78,6 +79,7 @@ class CycleAccesses {
   void AddWaits(const CardModel& model);
   uint32_t NumberOf(const runtime::StatementAccess& accesses);
   uint32_t NextOf(const Row& row, size_t place);
+  const uint32_t& FindCommand(const Row& row, size_t place);
   runtime::StatementAccess OperandsOf(const vm::Instruction& instruction, size_t place) const;
   void See(uint32_t access, Place* place);
   /// True if an access may depend on what a thread does from a position on.
@@ -93,6 +95,7 @@ class CycleAccesses {
   Parts watched_;                               ///< what requirements on every state name
   ValueTable<Access> accesses_;
   ValueTable<uint32_t> commands_;  ///< the access of a command in a state
+  RecentValues<uint32_t> recent_commands_;
   std::vector<int64_t> key_;
   bool grown_ = false;
 };

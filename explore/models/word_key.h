@@ -2,8 +2,13 @@
 // xxhash.
 #pragma once
 
+// The keys are short, so that a call would take as long as the work.
+#ifndef XXH_INLINE_ALL
+#define XXH_INLINE_ALL
+#endif
 #include <xxhash.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,11 +16,11 @@
 
 namespace oncard::explore {
 
-/// Equal sequences have equal keys, and different ones have different keys for all practical
-/// purposes.
+/// Equal sequences with the same number have equal keys, and others have different keys for all
+/// practical purposes.
 template <typename Word>
-StateKey KeyOfWords(std::span<const Word> words) {
-  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size_bytes());
+StateKey KeyOfWords(std::span<const Word> words, uint64_t number = 0) {
+  const XXH128_hash_t hash = XXH3_128bits_withSeed(words.data(), words.size_bytes(), number);
   return {hash.low64, hash.high64};
 }
 template <typename Word>
