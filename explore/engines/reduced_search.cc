@@ -68,7 +68,7 @@ class WithinCycle {
     AddReached();
     while (!waiting_.empty()) {
       if (IsOver()) return false;
-      const Waiting state = std::move(waiting_.back());
+      const Waiting state = waiting_.back();
       waiting_.pop_back();
       if (!Expand(state, leave)) return false;
     }
@@ -131,10 +131,10 @@ class WithinCycle {
 
   /// Notes a state that will be added. The table of keys is larger than the processor's cache, so
   /// that it is told early which place will be asked for.
-  void Reach(Row row, uint32_t frozen, const State& state) {
-    const StateKey key = CardRows::KeyOf(row, frozen);
+  void Reach(const Row& row, uint32_t frozen, const State& state) {
+    const StateKey key = rows_.KeyOf(row, frozen);
     known_.Prefetch(key);
-    reached_.push_back({key, state, {0, frozen, std::move(row)}});
+    reached_.push_back({key, state, {0, frozen, row}});
   }
   /// Adds those of the noted states that are new.
   void AddReached() {
@@ -142,7 +142,7 @@ class WithinCycle {
       if (!known_.Insert(reached.key)) continue;
       ++counts_.states;
       reached.waiting.number = static_cast<uint32_t>(states_.size());
-      waiting_.push_back(std::move(reached.waiting));
+      waiting_.push_back(reached.waiting);
       states_.push_back(reached.state);
     }
     reached_.clear();
@@ -227,11 +227,10 @@ class WithinCycle {
     reductions_.locals.Forget(rows_.PlaceOf(thread), &next);
     if (rows_.Ended(next) || rows_.CycleOf(next) != rows_.CycleOf(state.row)) {
       AddReached();
-      return leave(std::move(next), state.number, thread);
+      return leave(next, state.number, thread);
     }
     if (state.frozen == 0) ForgetBudget(&next);
-    Reach(std::move(next), state.frozen,
-          {state.number, StartOf(state.number), static_cast<uint8_t>(thread)});
+    Reach(next, state.frozen, {state.number, StartOf(state.number), static_cast<uint8_t>(thread)});
     return true;
   }
 
@@ -313,7 +312,7 @@ class LayeredSearch {
     Row first = rows_.Start();
     cycle_.ForgetBudget(&first);
     if (first.fault) result_.fails = true;
-    if (!first.fault) Enter(std::move(first), kNone);
+    if (!first.fault) Enter(first, kNone);
     while (!layers_.empty() && !result_.fails) {
       const Layer layer = std::move(layers_.extract(layers_.begin()).mapped());
       const Row* open = SearchLayer(layer);
@@ -344,7 +343,7 @@ class LayeredSearch {
           return false;
         }
         cycle_.ForgetBudget(&next);
-        Enter(std::move(next), start);
+        Enter(next, start);
         return true;
       };
       if (!cycle_.SearchFrom(number, row, leave)) return result_.fails ? nullptr : &row;
@@ -353,14 +352,14 @@ class LayeredSearch {
   }
 
   /// A good state at the start of a cycle, or at the end of a run.
-  void Enter(Row row, uint32_t before) {
+  void Enter(const Row& row, uint32_t before) {
     if (row.finished) ends_.Add(model_, rows_.Program(row));
     if (rows_.Ended(row)) return;
     Layer& layer = layers_[rows_.CycleOf(row)];
-    const StateKey key = CardRows::KeyOf(row);
+    const StateKey key = rows_.KeyOf(row);
     if (!layer.known.Insert(key)) return;
     ++result_.counts.starts;
-    layer.starts.emplace_back(static_cast<uint32_t>(starts_.size()), std::move(row));
+    layer.starts.emplace_back(static_cast<uint32_t>(starts_.size()), row);
     starts_.push_back({before, key});
   }
 
@@ -380,15 +379,15 @@ class LayeredSearch {
       Row reached;
       const auto leave = [&](Row next, uint32_t from, int thread) {
         cycle.ForgetBudget(&next);
-        if (next.fault || CardRows::KeyOf(next) != starts_[way[i]].key) return true;
+        if (next.fault || rows_.KeyOf(next) != starts_[way[i]].key) return true;
         const std::vector<uint8_t> steps = cycle.WayTo(from);
         threads.insert(threads.end(), steps.begin(), steps.end());
         threads.push_back(static_cast<uint8_t>(thread));
-        reached = std::move(next);
+        reached = next;
         return false;
       };
       cycle.SearchFrom(0, row, leave);
-      row = std::move(reached);
+      row = reached;
     }
     return threads;
   }

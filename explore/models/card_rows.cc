@@ -54,6 +54,7 @@ CardRows::CardRows(CardModel* model)
       card_(*model->controller_),
       division_(card_.motion().axis_count()),
       body_parts_(division_.part_count()),
+      faults_(1),
       machine_(std::make_unique<vm::MachineState>(*model->scratch_)),
       body_(card_.Body()),
       body_numbers_(division_.part_count(), ~uint32_t{0}) {
@@ -199,21 +200,22 @@ void CardRows::SetProgress(Progress progress, Row* row) {
   key_.assign({progress.left, progress.served, progress.reached, progress.ended,
                static_cast<int64_t>(progress.fault)});
   for (const runtime::Owed& owed : progress.owed) key_.push_back(owed.pending ? owed.due_ns : -1);
-  row->parts.resize(thread_count() + 3);
-  row->parts.back() = progresses_.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
+  row->parts[thread_count() + 2] =
+      progresses_.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
 }
 
 void CardRows::NoteStatement(size_t place, Row* row) {
-  const size_t at = size_t{row->parts.back()} * thread_count() + place;
+  uint32_t& number = row->parts[thread_count() + 2];
+  const size_t at = size_t{number} * thread_count() + place;
   if (at >= progresses_after_.size()) progresses_after_.resize(2 * at + 1, kNotYet);
   if (progresses_after_[at] == kNotYet) {
     Progress progress = ProgressOf(*row);
     --progress.left;
     progress.served |= 1u << NumberOnCard(place);
     SetProgress(std::move(progress), row);
-    progresses_after_[at] = row->parts.back();
+    progresses_after_[at] = number;
   }
-  row->parts.back() = progresses_after_[at];
+  number = progresses_after_[at];
 }
 
 // --- Between rows and the card -------------------------------------------------------------------
@@ -268,7 +270,7 @@ CardModel::State CardRows::StateFor(const Row& row) const {
   state.ended = progress.ended;
   state.finished = row.finished;
   state.owed = progress.owed;
-  state.fault = row.fault;
+  state.fault = faults_[row.fault];
   return state;
 }
 
@@ -279,13 +281,16 @@ CardRows::Row CardRows::RowOfCard(const CardModel::State& state) {
   if (static_cast<size_t>(bound) != thread_count()) exact_ = false;
   Row row;
   for (size_t place = 0; place < thread_count(); ++place) {
-    row.parts.push_back(NumberOfThread(place));
+    row.parts[place] = NumberOfThread(place);
   }
-  row.parts.push_back(NumberOfGlobals());
-  row.parts.push_back(NumberOfBody());
+  row.parts[thread_count()] = NumberOfGlobals();
+  SetBody(NumberOfBody(), &row);
   row.history = NumberOfHistory();
   row.finished = state.finished;
-  row.fault = state.fault;
+  if (state.fault) {
+    row.fault = static_cast<uint32_t>(faults_.size());
+    faults_.push_back(state.fault);
+  }
   SetProgress({state.left, state.served, state.reached, state.ended, state.fault.kind, state.owed},
               &row);
   return row;
@@ -307,8 +312,8 @@ CardModel::State CardRows::Whole(const Row& row) {
   return state;
 }
 
-StateKey CardRows::KeyOf(const Row& row, uint32_t number) {
-  return KeyOfWords(std::span(row.parts), number);
+StateKey CardRows::KeyOf(const Row& row, uint32_t number) const {
+  return KeyOfWords(std::span(row.parts).first(part_count()), number);
 }
 
 // --- What can come next --------------------------------------------------------------------------

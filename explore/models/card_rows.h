@@ -9,6 +9,7 @@
 // Deterministic; not thread-safe. Tested by tests/explore/card_rows_test.cc.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -23,12 +24,13 @@ namespace oncard::explore {
 
 class CardRows {
  public:
-  /// A state. Its parts say what its future is.
+  /// A state. Its parts say what its future is: of each thread, the globals, the body, the
+  /// progress.
   struct Row {
-    std::vector<uint32_t> parts;  ///< of each thread, the globals, the body, the progress
-    uint32_t history = 0;         ///< what the supervisor remembers
-    bool finished = false;        ///< as in CardModel::State
-    Fault fault;                  ///< the same
+    std::array<uint32_t, vm::kThreadCount + 3> parts{};
+    uint32_t history = 0;   ///< what the supervisor remembers
+    uint32_t fault = 0;     ///< the number of CardModel::State::fault; 0: none
+    bool finished = false;  ///< as in CardModel::State
   };
   struct Thread {
     vm::ThreadState state;
@@ -78,7 +80,7 @@ class CardRows {
   void ForgetRuns() { forgets_runs_ = true; }
 
   /// A key of a row, with a number that tells equal ones apart.
-  static StateKey KeyOf(const Row& row, uint32_t number = 0);
+  StateKey KeyOf(const Row& row, uint32_t number = 0) const;
   bool Ended(const Row& row) const { return ProgressOf(row).ended; }
   int64_t CycleOf(const Row& row) const { return BodyOf(row).cycle; }
   /// The threads that may execute the next statement, by their numbers in the model.
@@ -155,6 +157,7 @@ class CardRows {
     bool apart = false;
   };
 
+  size_t part_count() const { return thread_count() + 3; }
   uint32_t NumberOfParts(std::vector<uint32_t> parts);
   uint32_t NumberOfWords(std::vector<int64_t> globals);
   bool CanContinue(const Row& row, size_t place) const;
@@ -177,6 +180,7 @@ class CardRows {
   ValueTable<Progress> progresses_;
   /// By the number of a progress and the place of a thread: what it is after a statement.
   std::vector<uint32_t> progresses_after_;
+  std::vector<Fault> faults_;  ///< of rows; the first one is none
   ValueTable<runtime::Supervisor::HistoryPointer> histories_;
 
   std::unique_ptr<vm::MachineState> machine_;  ///< large

@@ -42,9 +42,8 @@ TEST(CardRows, AreEqualExactlyIfStatesAre) {
         model.Load(state);
         const CardRows::Row row = rows.RowOfCard(state);
         const StateKey key = model.KeyOf(state);
-        EXPECT_EQ(row_of.try_emplace(key, CardRows::KeyOf(row)).first->second,
-                  CardRows::KeyOf(row));
-        EXPECT_EQ(state_of.try_emplace(CardRows::KeyOf(row), key).first->second, key);
+        EXPECT_EQ(row_of.try_emplace(key, rows.KeyOf(row)).first->second, rows.KeyOf(row));
+        EXPECT_EQ(state_of.try_emplace(rows.KeyOf(row), key).first->second, key);
         // And back.
         const CardModel::State whole = rows.Whole(row);
         EXPECT_EQ(model.KeyOf(whole), key);
