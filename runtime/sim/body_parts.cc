@@ -25,9 +25,13 @@ auto ClockFields(const MotionState& state) { return std::tie(state.cycle, state.
 
 template <typename State>
 auto RestFields(State& state) {
-  return std::tie(state.pvt_tables, state.crds, state.enable_axes, state.compensates, state.world,
+  return std::tie(state.pvt_tables, state.crds, state.enable_axes, state.compensates,
                   state.switches, state.capture, state.compare, state.lasers, state.gantry,
                   state.homing_runs, state.reached, state.bus, state.shapers, state.spindle);
+}
+
+uint64_t EventsOf(const MotionState& state) {
+  return state.world.events == nullptr ? 0 : state.world.events->size();
 }
 
 template <typename Tuple>
@@ -36,7 +40,8 @@ constexpr size_t kSize = std::tuple_size_v<Tuple>;
 static_assert(kSize<decltype(AxisArrays(std::declval<const MotionState&>()))> +
                       kSize<decltype(IoFields(std::declval<const MotionState&>()))> +
                       kSize<decltype(ClockFields(std::declval<const MotionState&>()))> +
-                      kSize<decltype(RestFields(std::declval<const MotionState&>()))> ==
+                      kSize<decltype(RestFields(std::declval<const MotionState&>()))> +
+                      std::size_t{1} ==  // MotionState::world
                   kSize<decltype(std::declval<const MotionState&>().Fields())>,
               "every member of the state of motion belongs to one part");
 
@@ -91,6 +96,10 @@ void BodyDivision::AddValues(const CardBody& body, size_t part, motion::StateWor
     words->Add(pending_ns).Add(pending_statements);
   } else if (part == kIo) {
     std::apply([&](const auto&... fields) { (words->Add(fields), ...); }, IoFields(motion));
+  } else if (part == kWorld) {
+    for (uint64_t i = motion.world.next; i < EventsOf(motion); ++i) {
+      words->Add((*motion.world.events)[static_cast<size_t>(i)]);
+    }
   } else if (part == kRest) {
     std::apply([&](const auto&... fields) { (words->Add(fields), ...); }, RestFields(motion));
     for (size_t i = axis_count_; i < motion.axes.size(); ++i) AddAxis(motion, i, words);
@@ -108,6 +117,7 @@ BodyDivision::Part BodyDivision::PartOf(const CardBody& body, size_t part) const
         Part::Clock{motion.cycle, motion.clock_cycle, body.pending_ns, body.pending_statements});
   }
   if (part == kIo) return Part(Part::Io{motion.io, motion.adcs, motion.modules});
+  if (part == kWorld) return Part(Part::World{EventsOf(motion) - motion.world.next});
   if (part == kRest) return Part(std::make_unique<const CardBody>(body));
   Part::Axis axis;
   ForEachElement(motion, part - kFirstAxis, axis.Elements(),
@@ -128,6 +138,8 @@ void BodyDivision::Put(const Part& value, size_t part, CardBody* body) const {
     motion.io = io.digital;
     motion.adcs = io.adcs;
     motion.modules = io.modules;
+  } else if (part == kWorld) {
+    motion.world.next = EventsOf(motion) - std::get<Part::World>(value.value_).left;
   } else if (part == kRest) {
     const CardBody& rest = *std::get<Part::Rest>(value.value_);
     RestFields(motion) = RestFields(rest.motion);

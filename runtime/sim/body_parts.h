@@ -1,6 +1,7 @@
-// The body of a card (CardBody) in parts: its clock, its inputs and outputs, each axis, and the
-// rest. Bodies are equal, as BodyHash() compares them, exactly if all their parts are. Who has many
-// bodies keeps each part once: those of independent axes are few.
+// The body of a card (CardBody) in parts: its clock, its inputs and outputs, each axis, the events
+// outside that are still to come, and the rest. Bodies of cards with the same events are equal, as
+// BodyHash() compares them, exactly if all their parts are. Who has many bodies keeps each part
+// once: those of independent axes are few.
 //
 // Plain functions of values. Tested by tests/runtime/body_parts_test.cc.
 #pragma once
@@ -22,7 +23,8 @@ class BodyDivision {
   static constexpr size_t kClock = 0;  ///< cycles, and what is pending of the next one
   static constexpr size_t kIo = 1;     ///< digital and analogue inputs and outputs
   static constexpr size_t kRest = 2;
-  static constexpr size_t kFirstAxis = 3;
+  static constexpr size_t kWorld = 3;  ///< events that are still to come
+  static constexpr size_t kFirstAxis = 4;
 
   /// One part of a body as a value of its own.
   class Part;
@@ -35,7 +37,8 @@ class BodyDivision {
   /// Adds the values of a part: those of equal parts are equal.
   void AddValues(const CardBody& body, size_t part, motion::StateWords* words) const;
   Part PartOf(const CardBody& body, size_t part) const;
-  /// Makes the part of the body equal to a part with this number.
+  /// Makes the part of the body equal to a part with this number. As many events of the body are
+  /// then to come as of the part: they have to be the same.
   void Put(const Part& value, size_t part, CardBody* body) const;
   /// True if nothing in the part lets an axis of the card depend on another: no master, no path, no
   /// gantry, no bus, no mapping but that of an axis to its own profile, encoder and controller.
@@ -58,6 +61,9 @@ class BodyDivision::Part {
     motion::DigitalIo digital;
     std::array<motion::Adc, motion::kAdcCount> adcs;
     std::array<motion::ExtensionModule, motion::kModuleCount> modules;
+  };
+  struct World {
+    uint64_t left;  ///< the number of events
   };
   /// The elements of AxisArrays().
   struct Axis {
@@ -86,7 +92,7 @@ class BodyDivision::Part {
   /// Of the whole body, only the rest matters.
   using Rest = std::unique_ptr<const CardBody>;
 
-  using Value = std::variant<Clock, Io, Axis, Rest>;
+  using Value = std::variant<Clock, Io, World, Axis, Rest>;
   explicit Part(Value value) : value_(std::move(value)) {}
 
   Value value_;

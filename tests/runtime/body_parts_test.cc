@@ -21,8 +21,8 @@ constexpr size_t kThirdAxis = BodyDivision::kFirstAxis + 2;
 /// A card whose program has just been started.
 class Started {
  public:
-  explicit Started(const std::string& statements)
-      : scenario_(ScenarioForTest("axes = 4\n")), card_(CardOptions(scenario_)) {
+  explicit Started(const std::string& statements, const std::string& keys = {})
+      : scenario_(ScenarioForTest("axes = 4\n" + keys)), card_(CardOptions(scenario_)) {
     const std::string program = "int f()\n{\n" + statements + "  return 0;\n}\n";
     EXPECT_TRUE(StartScenario(scenario_, CompileForTest(program), &card_).ok());
   }
@@ -79,6 +79,27 @@ TEST(BodyParts, WhatIsSetIsInItsPart) {
   // Behind the axes that the card has.
   EXPECT_THAT(changed([](State& state) { state.encoders[kAxes].position += 1; }),
               ElementsAre(size_t{BodyDivision::kRest}));
+}
+
+TEST(BodyParts, EventsThatAreStillToComeAreAPart) {
+  const auto input = [](const char* ms) {
+    return std::string("[[world.input]]\nindex = 1\nvalue = 1\nat_ms = ") + ms + "\n";
+  };
+  Started early({}, input("2"));
+  Started late({}, input("4") + input("6"));
+  // 250 us a cycle: no event has happened, one of each has, and all have.
+  EXPECT_THAT(Differences(early.After(4), late.After(4)),
+              ElementsAre(size_t{BodyDivision::kWorld}));
+  EXPECT_THAT(Differences(early.After(16), late.After(16)),
+              ElementsAre(size_t{BodyDivision::kWorld}));
+  const CardBody body = early.After(16);
+  CardBody other = late.After(16);
+  EXPECT_THAT(Differences(body, other), IsEmpty());
+  // The last event of another body is still to come, too.
+  const BodyDivision division(kAxes);
+  other.motion.world.next = 0;
+  division.Put(division.PartOf(body, BodyDivision::kWorld), BodyDivision::kWorld, &other);
+  EXPECT_EQ(other.motion.world.next, 2u);
 }
 
 TEST(BodyParts, TogetherTheyAreTheBody) {
