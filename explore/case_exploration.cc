@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "explore/models/card_steps.h"
 #include "explore/search/case_counts.h"
 
 namespace oncard::explore {
@@ -55,6 +56,7 @@ class CaseExploration {
   ExploreOptions OptionsOfCase() const {
     ExploreOptions options = options_;
     options.cases = cases_;
+    options.known_steps = known_steps_;
     if (all_) {
       options.states_before = StatesUsed(all_->exploration);
       options.state_limit -= static_cast<uint32_t>(options.states_before);
@@ -131,6 +133,7 @@ class CaseExploration {
   CaseSearch search_;
   std::unique_ptr<Findings> all_;  ///< of the cases so far
   UntestedInAll untested_;
+  std::shared_ptr<KnownSteps> known_steps_ = std::make_shared<KnownSteps>();
   std::vector<bool> covered_;  ///< for each case: it was searched to its end
   bool stopped_ = false;       ///< a case is incomplete
 };

@@ -253,7 +253,7 @@ class LayeredSearch {
  public:
   LayeredSearch(CardModel* model, const StateLimits& limits)
       : model_(*model),
-        rows_(model),
+        rows_(model, StepsFor(limits)),
         reductions_{{*model, &rows_}, {*model, &rows_}},
         limits_(limits) {}
 
@@ -268,7 +268,10 @@ class LayeredSearch {
       reductions_.Begin();
       known = SearchAll();
     }
-    if (!rows_.exact()) return std::nullopt;
+    if (!rows_.exact()) {
+      if (limits_.known_steps != nullptr) *limits_.known_steps = {};
+      return std::nullopt;
+    }
     result_.final_globals = ends_.by_globals();
     result_.final_full = ends_.all();
     result_.ends = ends_.shown();
@@ -276,6 +279,13 @@ class LayeredSearch {
   }
 
  private:
+  /// Those that are known; of too many none.
+  static std::shared_ptr<KnownSteps> StepsFor(const StateLimits& limits) {
+    if (limits.known_steps == nullptr) return std::make_shared<KnownSteps>();
+    if (limits.known_steps->rows.bodies.size() > KnownSteps::kBodiesMax) *limits.known_steps = {};
+    return limits.known_steps;
+  }
+
   /// A state at the start of a cycle.
   struct Start {
     uint32_t before = kNone;  ///< the start from which it was reached

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/large_array.h"
@@ -15,6 +16,8 @@
 #include "explore/models/model.h"
 
 namespace oncard::explore {
+
+struct KnownSteps;
 
 /// Flags of a state. Those of the caller begin with kCallersFlag.
 enum StateFlag : uint32_t {
@@ -73,6 +76,9 @@ struct StateLimits {
   /// Of a card: its states are kept as whole ones and every step is executed, which gives the same
   /// graph (models/card_rows.h).
   bool whole_states = false;
+  /// Of a card: what is known of its steps from the searches of other cases (SearchReduced());
+  /// nullptr: nothing.
+  std::shared_ptr<KnownSteps> known_steps = {};
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
   /// A further limit that another thread can lower, as long as no state is kBad; nullptr: none.

@@ -49,15 +49,16 @@ bool CardRows::Possible(const CardModel& model) {
   return model.host_ == nullptr && model.races_ == nullptr && !model.counts_statements_;
 }
 
-CardRows::CardRows(CardModel* model)
+CardRows::CardRows(CardModel* model, std::shared_ptr<Tables> tables)
     : model_(*model),
       card_(*model->controller_),
       division_(card_.motion().axis_count()),
-      body_parts_(division_.part_count()),
+      tables_(std::move(tables)),
       faults_(1),
       machine_(std::make_unique<vm::MachineState>(*model->scratch_)),
       body_(card_.Body()),
       body_numbers_(division_.part_count(), ~uint32_t{0}) {
+  tables_->body_parts.resize(division_.part_count());
   for (int number = 0; number < vm::kThreadCount; ++number) {
     const ThreadState& thread = machine_->threads[static_cast<size_t>(number)];
     if (thread.run != vm::ThreadRun::kUnbound) numbers_.push_back(number);
@@ -82,15 +83,15 @@ uint32_t CardRows::NumberOfThread(const ThreadState& state, std::vector<int64_t>
   const auto words = vm::WordsOf(state);
   key_.assign(words.begin(), words.end() - vm::kCountWords);
   key_.insert(key_.end(), page.begin(), page.end());
-  return threads_.NumberOf(KeyOfWords(key_), [&] {
+  return tables_->threads.NumberOf(KeyOfWords(key_), [&] {
     const vm::Function& function = model_.image_->object.functions[state.function];
     const bool running = state.run == vm::ThreadRun::kRunning;
-    positions_.push_back({.wake_cycle = state.wake_cycle,
-                          .pc = state.pc,
-                          .function = state.function,
-                          .running = running,
-                          .waiting = state.waiting,
-                          .at_end = running && state.pc >= function.instructions.size()});
+    tables_->positions.push_back({.wake_cycle = state.wake_cycle,
+                                  .pc = state.pc,
+                                  .function = state.function,
+                                  .running = running,
+                                  .waiting = state.waiting,
+                                  .at_end = running && state.pc >= function.instructions.size()});
     return Thread{state, std::move(page)};
   });
 }
@@ -115,21 +116,39 @@ uint32_t CardRows::NumberOfGlobals() {
 }
 
 uint32_t CardRows::NumberOfWords(std::vector<int64_t> globals) {
-  return globals_.NumberOf(KeyOfWords(globals), [&] { return std::move(globals); });
+  return tables_->globals.NumberOf(KeyOfWords(globals), [&] { return std::move(globals); });
 }
 
 uint32_t CardRows::NumberOfParts(std::vector<uint32_t> parts) {
-  return bodies_.NumberOf(KeyOfWords(parts), [&] {
-    Body body = {std::move(parts), 0, true};
-    division_.Put(body_parts_[BodyDivision::kClock][body.parts[BodyDivision::kClock]].value,
-                  BodyDivision::kClock, &body_);
-    body_numbers_[BodyDivision::kClock] = body.parts[BodyDivision::kClock];
+  return tables_->bodies.NumberOf(KeyOfWords(parts), [&] {
+    Body body = {.parts = std::move(parts), .apart = true};
+    PutPart(BodyDivision::kClock, body.parts);
+    PutPart(BodyDivision::kWorld, body.parts);
     body.cycle = body_.motion.cycle;
+    body.event_soon = EventSoon(body_.motion);
+    std::vector<uint32_t> present = body.parts;
+    present[BodyDivision::kWorld] = 0;
+    bool added = false;
+    body.present = tables_->presents.FindOrAdd(KeyOfWords(present), &added);
     for (size_t part = 0; part < body.parts.size(); ++part) {
-      body.apart = body.apart && body_parts_[part][body.parts[part]].apart;
+      body.apart = body.apart && tables_->body_parts[part][body.parts[part]].apart;
     }
     return body;
   });
+}
+
+void CardRows::PutPart(size_t part, const std::vector<uint32_t>& numbers) {
+  if (body_numbers_[part] == numbers[part]) return;
+  division_.Put(tables_->body_parts[part][numbers[part]].value, part, &body_);
+  body_numbers_[part] = numbers[part];
+}
+
+bool CardRows::EventSoon(const motion::MotionState& state) const {
+  const motion::WorldProgress& world = state.world;
+  if (world.events == nullptr || world.next >= world.events->size()) return false;
+  // A cycle looks at the events up to its end.
+  const motion::Micros end = (state.cycle + 2) * card_.motion().config().cycle_us;
+  return (*world.events)[static_cast<size_t>(world.next)].at <= end;
 }
 
 uint32_t CardRows::NumberOfBody() {
@@ -143,8 +162,8 @@ uint32_t CardRows::NumberOfBody() {
   for (size_t part = 0; part < division_.part_count(); ++part) {
     words_.Clear();
     division_.AddValues(body, part, &words_);
-    parts.push_back(body_parts_[part].NumberOf(KeyOfWords(words_.words()), [&] {
-      return BodyPart{division_.PartOf(body, part), division_.LeavesAxesApart(body, part)};
+    parts.push_back(tables_->body_parts[part].NumberOf(KeyOfWords(words_.words()), [&] {
+      return Tables::BodyPart{division_.PartOf(body, part), division_.LeavesAxesApart(body, part)};
     }));
   }
   return NumberOfParts(std::move(parts));
@@ -154,11 +173,11 @@ uint32_t CardRows::NumberOfHistory() {
   runtime::Supervisor::HistoryPointer history = model_.supervisor_->history();
   key_.clear();
   runtime::Supervisor::AddTo(history, &key_);
-  return histories_.NumberOf(KeyOfWords(key_), [&] { return std::move(history); });
+  return tables_->histories.NumberOf(KeyOfWords(key_), [&] { return std::move(history); });
 }
 
 void CardRows::WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row) {
-  std::vector<int64_t> words = globals_[GlobalsNumber(*row)];
+  std::vector<int64_t> words = tables_->globals[GlobalsNumber(*row)];
   // What is behind the globals stays there.
   for (const GlobalWrite& write : writes) {
     const int64_t missing = int64_t{write.slot} + 1 - words.front();
@@ -177,8 +196,8 @@ void CardRows::WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row) {
 
 std::vector<CardRows::GlobalWrite> CardRows::Differences(uint32_t before, uint32_t after,
                                                          bool* others) const {
-  const std::vector<int64_t>& one = globals_[before];
-  const std::vector<int64_t>& two = globals_[after];
+  const std::vector<int64_t>& one = tables_->globals[before];
+  const std::vector<int64_t>& two = tables_->globals[after];
   const auto value = [](const std::vector<int64_t>& words, uint32_t slot) {
     return slot < words.front() ? words[slot + 1] : 0;
   };
@@ -201,28 +220,28 @@ void CardRows::SetProgress(Progress progress, Row* row) {
                static_cast<int64_t>(progress.fault)});
   for (const runtime::Owed& owed : progress.owed) key_.push_back(owed.pending ? owed.due_ns : -1);
   row->parts[thread_count() + 2] =
-      progresses_.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
+      tables_->progresses.NumberOf(KeyOfWords(key_), [&] { return std::move(progress); });
 }
 
 void CardRows::NoteStatement(size_t place, Row* row) {
   uint32_t& number = row->parts[thread_count() + 2];
   const size_t at = size_t{number} * thread_count() + place;
-  if (at >= progresses_after_.size()) progresses_after_.resize(2 * at + 1, kNotYet);
-  if (progresses_after_[at] == kNotYet) {
+  if (at >= tables_->progresses_after.size()) tables_->progresses_after.resize(2 * at + 1, kNotYet);
+  if (tables_->progresses_after[at] == kNotYet) {
     Progress progress = ProgressOf(*row);
     --progress.left;
     progress.served |= 1u << NumberOnCard(place);
     SetProgress(std::move(progress), row);
-    progresses_after_[at] = number;
+    tables_->progresses_after[at] = number;
   }
-  number = progresses_after_[at];
+  number = tables_->progresses_after[at];
 }
 
 // --- Between rows and the card -------------------------------------------------------------------
 
 void CardRows::LoadMachine(const Row& row) {
   vm::MachineState& machine = *machine_;
-  const std::vector<int64_t>& globals = globals_[GlobalsNumber(row)];
+  const std::vector<int64_t>& globals = tables_->globals[GlobalsNumber(row)];
   std::span<const int64_t> words = std::span(globals).subspan(1);
   Fill(words.first(static_cast<size_t>(globals.front())), &machine.globals);
   words = words.subspan(static_cast<size_t>(globals.front()));
@@ -254,9 +273,7 @@ void CardRows::Load(const Row& row) {
   LoadMachine(row);
   const Body& body = BodyOf(row);
   for (size_t part = 0; part < body.parts.size(); ++part) {
-    if (body_numbers_[part] == body.parts[part]) continue;
-    division_.Put(body_parts_[part][body.parts[part]].value, part, &body_);
-    body_numbers_[part] = body.parts[part];
+    PutPart(part, body.parts);
   }
   card_.RestoreBody(body_);
 }
@@ -319,7 +336,7 @@ StateKey CardRows::KeyOf(const Row& row, uint32_t number) const {
 // --- What can come next --------------------------------------------------------------------------
 
 int64_t CardRows::ValueOf(const Row& row, uint32_t slot) const {
-  const std::vector<int64_t>& globals = globals_[GlobalsNumber(row)];
+  const std::vector<int64_t>& globals = tables_->globals[GlobalsNumber(row)];
   return static_cast<int64_t>(slot) < globals.front() ? globals[slot + 1] : 0;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "explore/models/card_model.h"
+#include "explore/models/key_set.h"
 #include "explore/models/state_key.h"
 #include "explore/models/value_table.h"
 #include "runtime/sim/body_parts.h"
@@ -50,6 +51,9 @@ class CardRows {
     std::vector<uint32_t> parts;  ///< runtime::BodyDivision
     int64_t cycle = 0;
     bool apart = false;  ///< its axes do not depend on each other
+    /// Bodies that differ only in the events that are still to come outside have the same number.
+    uint32_t present = 0;
+    bool event_soon = false;  ///< one can happen in the next cycle
   };
   /// What CardModel::State has of the cycle and of the requirements.
   struct Progress {
@@ -65,8 +69,30 @@ class CardRows {
     int64_t value = 0;
   };
 
-  /// The model has a card in a state of its own from now on.
-  explicit CardRows(CardModel* model);
+  /// What the numbers mean.
+  struct Tables {
+    struct BodyPart {
+      runtime::BodyDivision::Part value;
+      bool apart = false;
+    };
+
+    ValueTable<Thread> threads;
+    std::vector<Position> positions;  ///< of `threads`, by their numbers
+    /// The number of the globals and their values, without the zeros at their end; then the number,
+    /// the size and the values of each page that has no thread.
+    ValueTable<std::vector<int64_t>> globals;
+    std::vector<ValueTable<BodyPart>> body_parts;
+    ValueTable<Body> bodies;
+    KeySet presents;  ///< Body::present
+    ValueTable<Progress> progresses;
+    /// By the number of a progress and the place of a thread: what it is after a statement.
+    std::vector<uint32_t> progresses_after;
+    ValueTable<runtime::Supervisor::HistoryPointer> histories;
+  };
+
+  /// The model has a card in a state of its own from now on. Rows of models that differ only in
+  /// their values at the start and in the events outside can share their tables.
+  CardRows(CardModel* model, std::shared_ptr<Tables> tables);
   CardRows(const CardRows&) = delete;
   CardRows& operator=(const CardRows&) = delete;
 
@@ -101,17 +127,17 @@ class CardRows {
   uint32_t GlobalsNumber(const Row& row) const { return row.parts[thread_count()]; }
   uint32_t BodyNumber(const Row& row) const { return row.parts[thread_count() + 1]; }
   const Thread& ThreadOf(const Row& row, size_t place) const {
-    return threads_[ThreadNumber(row, place)];
+    return tables_->threads[ThreadNumber(row, place)];
   }
   const Position& PositionOf(const Row& row, size_t place) const {
-    return positions_[ThreadNumber(row, place)];
+    return tables_->positions[ThreadNumber(row, place)];
   }
-  const Body& BodyOf(const Row& row) const { return bodies_[BodyNumber(row)]; }
+  const Body& BodyOf(const Row& row) const { return tables_->bodies[BodyNumber(row)]; }
   const Progress& ProgressOf(const Row& row) const {
-    return progresses_[row.parts[thread_count() + 2]];
+    return tables_->progresses[row.parts[thread_count() + 2]];
   }
   const runtime::Supervisor::HistoryPointer& HistoryOf(const Row& row) const {
-    return histories_[row.history];
+    return tables_->histories[row.history];
   }
   const runtime::BodyDivision& division() const { return division_; }
   /// The value of a global.
@@ -125,6 +151,8 @@ class CardRows {
   /// The number of a thread with these values in its page.
   uint32_t NumberOfThread(const vm::ThreadState& state, std::vector<int64_t> page);
   void SetBody(uint32_t number, Row* row) const { row->parts[thread_count() + 1] = number; }
+  /// The number of a body with these parts.
+  uint32_t NumberOfParts(std::vector<uint32_t> parts);
   /// Changes parts of the body.
   void SetBodyParts(const std::vector<std::pair<size_t, uint32_t>>& parts, Row* row);
   void WriteGlobals(const std::vector<GlobalWrite>& writes, Row* row);
@@ -148,17 +176,14 @@ class CardRows {
   uint32_t NumberOfHistory();
   /// The globals that differ; `others`: so does something that belongs to no thread.
   std::vector<GlobalWrite> Differences(uint32_t before, uint32_t after, bool* others) const;
-  const Body& BodyWith(uint32_t number) const { return bodies_[number]; }
-  const Thread& ThreadWith(uint32_t number) const { return threads_[number]; }
+  const Body& BodyWith(uint32_t number) const { return tables_->bodies[number]; }
+  const Thread& ThreadWith(uint32_t number) const { return tables_->threads[number]; }
 
  private:
-  struct BodyPart {
-    runtime::BodyDivision::Part value;
-    bool apart = false;
-  };
-
   size_t part_count() const { return thread_count() + 3; }
-  uint32_t NumberOfParts(std::vector<uint32_t> parts);
+  /// Gives `body_` the part with its number among these.
+  void PutPart(size_t part, const std::vector<uint32_t>& numbers);
+  bool EventSoon(const motion::MotionState& state) const;
   uint32_t NumberOfWords(std::vector<int64_t> globals);
   bool CanContinue(const Row& row, size_t place) const;
 
@@ -170,18 +195,8 @@ class CardRows {
   std::vector<int> numbers_;    ///< of the bound threads on the card
   std::vector<size_t> places_;  ///< of the model's threads among them
 
-  ValueTable<Thread> threads_;
-  std::vector<Position> positions_;  ///< of `threads_`, by their numbers
-  /// The number of the globals and their values, without the zeros at their end; then the number,
-  /// the size and the values of each page that has no thread.
-  ValueTable<std::vector<int64_t>> globals_;
-  std::vector<ValueTable<BodyPart>> body_parts_;
-  ValueTable<Body> bodies_;
-  ValueTable<Progress> progresses_;
-  /// By the number of a progress and the place of a thread: what it is after a statement.
-  std::vector<uint32_t> progresses_after_;
+  std::shared_ptr<Tables> tables_;
   std::vector<Fault> faults_;  ///< of rows; the first one is none
-  ValueTable<runtime::Supervisor::HistoryPointer> histories_;
 
   std::unique_ptr<vm::MachineState> machine_;  ///< large
   runtime::CardBody body_;

@@ -27,8 +27,11 @@ bool IsOfStatement(Resource resource) {
 
 }  // namespace
 
-CardSteps::CardSteps(CardModel* model)
-    : CardRows(model), model_(*model), card_(*model->controller_) {
+CardSteps::CardSteps(CardModel* model, const std::shared_ptr<KnownSteps>& known)
+    : CardRows(model, std::shared_ptr<CardRows::Tables>(known, &known->rows)),
+      model_(*model),
+      card_(*model->controller_),
+      known_(*known) {
   for (const CardModel::BoundRequirement& bound : model->requirements_) {
     Names& names = names_.emplace_back();
     AddNames(bound.condition, &names);
@@ -62,7 +65,7 @@ void CardSteps::AddNames(const runtime::CardCondition& condition, Names* names) 
 
 void CardSteps::AddToKey(const Row& row, const Names& names) {
   if (names.globals) key_.push_back(GlobalsNumber(row));
-  if (names.body) key_.push_back(BodyNumber(row));
+  if (names.body) key_.push_back(BodyOf(row).present);
   if (!names.threads) return;
   for (size_t place = 0; place < thread_count(); ++place) key_.push_back(ThreadNumber(row, place));
 }
@@ -222,23 +225,54 @@ bool CardSteps::NextCycle(Row* row, Progress* progress) {
 }
 
 const CardSteps::Cycle& CardSteps::CycleAfter(const Row& row) {
-  key_.assign({BodyNumber(row), row.history});
-  // Commands that a path has reached, and reactions, look at more than the body.
-  if (!BodyOf(row).apart) key_.push_back(GlobalsNumber(row));
-  AddToKey(row, reaction_names_);
-  return cycles_.Of(KeyOfWords(key_), [&] {
-    Load(row);
-    const gtcalls::Family& family = card_.family();
-    const bool acts = family.cycles_before_act(card_.view()) != gtcalls::kNeverActs ||
-                      family.writes_variables(card_.view());
-    const int64_t statements = model_.BeginCycle();
-    bool same = !acts && NumberOfGlobals() == GlobalsNumber(row);
-    for (size_t place = 0; place < thread_count(); ++place) {
-      same = same && NumberOfThread(place) == ThreadNumber(row, place);
-    }
-    exact_ = exact_ && same;
-    return Cycle{NumberOfBody(), NumberOfHistory(), statements};
+  const Body& body = BodyOf(row);
+  const auto key_with = [&](uint32_t number) {
+    key_.assign({number, row.history});
+    // Commands that a path has reached, and reactions, look at more than the body.
+    if (!body.apart) key_.push_back(GlobalsNumber(row));
+    AddToKey(row, reaction_names_);
+    return KeyOfWords(key_);
+  };
+  bool executed = false;
+  const auto execute = [&] {
+    executed = true;
+    return ExecuteCycle(row);
+  };
+  const uint32_t number = known_.cycles.NumberOf(key_with(BodyNumber(row)), [&] {
+    if (body.event_soon) return execute();
+    const PresentCycle& next = known_.present_cycles.Of(key_with(body.present), [&] {
+      const Cycle cycle = execute();
+      return PresentCycle{BodyWith(cycle.body).parts, cycle.history, cycle.statements, cycle.tells};
+    });
+    std::vector<uint32_t> parts = next.parts;
+    parts[BodyDivision::kWorld] = body.parts[BodyDivision::kWorld];
+    return Cycle{NumberOfParts(std::move(parts)), next.history, next.statements, next.tells};
   });
+  const Cycle& cycle = known_.cycles[number];
+  if (cycle.tells && told_cycles_.insert(number).second && !executed) execute();
+  return cycle;
+}
+
+CardSteps::Cycle CardSteps::ExecuteCycle(const Row& row) {
+  Load(row);
+  const gtcalls::Family& family = card_.family();
+  const bool acts = family.cycles_before_act(card_.view()) != gtcalls::kNeverActs ||
+                    family.writes_variables(card_.view());
+  const int64_t told = Told();
+  const int64_t statements = model_.BeginCycle();
+  bool same = !acts && NumberOfGlobals() == GlobalsNumber(row);
+  for (size_t place = 0; place < thread_count(); ++place) {
+    same = same && NumberOfThread(place) == ThreadNumber(row, place);
+  }
+  exact_ = exact_ && same;
+  return {NumberOfBody(), NumberOfHistory(), statements, Told() != told};
+}
+
+int64_t CardSteps::Told() const {
+  int64_t told = 0;
+  for (const runtime::RefusedCommand& refused : model_.refused()) told += refused.count;
+  for (const runtime::CardFinding& finding : model_.found()) told += finding.count;
+  return told;
 }
 
 bool CardSteps::Judge(const Row& row, Progress* progress) {
@@ -264,13 +298,19 @@ bool CardSteps::Judge(const Row& row, Progress* progress) {
 }
 
 const CardSteps::Judgement& CardSteps::JudgementOf(const Row& row, size_t requirement) {
+  const CardModel::BoundRequirement& bound = model_.requirements_[requirement];
   key_.assign({static_cast<int64_t>(requirement)});
   AddToKey(row, names_[requirement]);
-  return judgements_.Of(KeyOfWords(key_), [&] {
+  const Judgement& judgement = known_.judgements.Of(KeyOfWords(key_), [&] {
     Load(row);
-    const CardModel::BoundRequirement& bound = model_.requirements_[requirement];
-    return Judgement{model_.Holds(bound), bound.then && bound.then->Holds(card_)};
+    return Judgement{.holds = model_.Holds(bound),
+                     .answers = bound.then && bound.then->Holds(card_),
+                     .mattered = bound.matters && bound.matters->Holds(card_)};
   });
+  // It may be known from the search of another case.
+  bound.judged = true;
+  bound.mattered = bound.mattered || judgement.mattered;
+  return judgement;
 }
 
 // --- Statements ----------------------------------------------------------------------------------
@@ -297,7 +337,18 @@ const CardSteps::Statement& CardSteps::FindStatement(const Row& row, size_t plac
   if (instruction.reads_body) access = &AccessOf(row, place, instruction);
   key_.assign({static_cast<int64_t>(place), ThreadNumber(row, place)});
   AddToKey(row, instruction, access);
-  return statements_.Of(KeyOfWords(key_), [&] { return Execute(row, place, instruction, access); });
+  bool executed = false;
+  const auto execute = [&] {
+    executed = true;
+    const int64_t told = Told();
+    Statement statement = Execute(row, place, instruction, access);
+    statement.tells = Told() != told;
+    return statement;
+  };
+  const uint32_t number = known_.statements.NumberOf(KeyOfWords(key_), execute);
+  const Statement& statement = known_.statements[number];
+  if (statement.tells && told_statements_.insert(number).second && !executed) execute();
+  return statement;
 }
 
 void CardSteps::AddToKey(const Row& row, const Instruction& instruction, const BodyAccess* access) {
@@ -402,7 +453,7 @@ const CardSteps::BodyAccess& CardSteps::AccessOf(const Row& row, size_t place,
   key_.assign({static_cast<int64_t>(place), ThreadNumber(row, place),
                BodyOf(row).parts[BodyDivision::kRest]});
   if (instruction.all_globals) key_.push_back(GlobalsNumber(row));
-  return accesses_.Of(KeyOfWords(key_), [&] {
+  return known_.accesses.Of(KeyOfWords(key_), [&] {
     Load(row);
     return NextBodyAccess(NumberOnCard(place));
   });

@@ -8,12 +8,18 @@
 // whole states. What needs more than is known of rows (the end of a run, a failure, an assert) is
 // executed on the card each time.
 //
+// What is known can be shared by searches one after the other, of cases that differ in the events
+// outside and in the values at the start: a cycle in which no event happens is the same in all of
+// them.
+//
 // Deterministic; not thread-safe. Tested by tests/explore/card_steps_test.cc.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,11 +32,62 @@
 
 namespace oncard::explore {
 
+/// What is known of the steps of a card, and what their numbers mean.
+struct KnownSteps {
+  /// What a statement does.
+  struct Statement {
+    bool alone = false;  ///< it is executed on the card each time
+    uint32_t thread = 0;
+    std::optional<uint32_t> history;  ///< if it changes it
+    std::vector<CardRows::GlobalWrite> globals;
+    std::vector<std::pair<size_t, uint32_t>> body;  ///< its parts
+    bool writes_outputs = false;                    ///< all of them; if outputs are watched
+    bool tells = false;  ///< the card refuses something, or warns of something
+  };
+  struct Cycle {
+    uint32_t body = 0;
+    uint32_t history = 0;
+    int64_t statements = 0;
+    bool tells = false;  ///< the same
+  };
+  /// A cycle in which no event happens outside.
+  struct PresentCycle {
+    std::vector<uint32_t> parts;  ///< of the body, but for BodyDivision::kWorld
+    uint32_t history = 0;
+    int64_t statements = 0;
+    bool tells = false;
+  };
+  /// What a command accesses of the body, beside the clock.
+  struct BodyAccess {
+    bool whole = false;
+    std::vector<size_t> parts;
+    std::vector<size_t> written;
+  };
+  struct Judgement {
+    bool holds = false;
+    bool answers = false;   ///< the right side of a response
+    bool mattered = false;  ///< the condition of its guard holds
+  };
+
+  /// They are forgotten between searches where there are more bodies.
+  static constexpr uint32_t kBodiesMax = 500'000;
+
+  CardRows::Tables rows;
+  ValueTable<Statement> statements;
+  ValueTable<BodyAccess> accesses;
+  ValueTable<Cycle> cycles;
+  ValueTable<PresentCycle> present_cycles;
+  ValueTable<Judgement> judgements;
+};
+
 class CardSteps : public CardRows {
  public:
   using State = Row;
 
-  explicit CardSteps(CardModel* model);
+  /// `known` are steps of models that differ only in their values at the start and in the events
+  /// outside, or none.
+  explicit CardSteps(CardModel* model,
+                     const std::shared_ptr<KnownSteps>& known = std::make_shared<KnownSteps>());
 
   /// False: what was computed may be wrong.
   bool exact() const { return exact_ && CardRows::exact(); }
@@ -62,20 +119,12 @@ class CardSteps : public CardRows {
   }
 
  private:
-  /// What a statement does.
-  struct Statement {
-    bool alone = false;  ///< it is executed on the card each time
-    uint32_t thread = 0;
-    std::optional<uint32_t> history;  ///< if it changes it
-    std::vector<GlobalWrite> globals;
-    std::vector<std::pair<size_t, uint32_t>> body;  ///< its parts
-    bool writes_outputs = false;                    ///< all of them; if outputs are watched
-  };
-  struct Cycle {
-    uint32_t body = 0;
-    uint32_t history = 0;
-    int64_t statements = 0;
-  };
+  using Statement = KnownSteps::Statement;
+  using BodyAccess = KnownSteps::BodyAccess;
+  using Cycle = KnownSteps::Cycle;
+  using PresentCycle = KnownSteps::PresentCycle;
+  using Judgement = KnownSteps::Judgement;
+
   /// What is known of an instruction of the program.
   struct Instruction {
     bool alone = false;
@@ -89,23 +138,12 @@ class CardSteps : public CardRows {
     bool sees_others() const { return changes_body || looks_around; }
     Outputs outputs = {};
   };
-  /// What a command accesses of the body, beside the clock.
-  struct BodyAccess {
-    bool whole = false;
-    std::vector<size_t> parts;
-    std::vector<size_t> written;
-  };
   /// What the names of a condition are parts of.
   struct Names {
     bool globals = false;
     bool threads = false;
     bool body = false;
   };
-  struct Judgement {
-    bool holds = false;
-    bool answers = false;  ///< the right side of a response
-  };
-
   void PlanInstructions();
   static void AddNames(const runtime::CardCondition& condition, Names* names);
   void AddToKey(const Row& row, const Names& names);
@@ -129,6 +167,9 @@ class CardSteps : public CardRows {
   Statement Execute(const Row& row, size_t place, const Instruction& instruction,
                     const BodyAccess* access);
   const Cycle& CycleAfter(const Row& row);
+  Cycle ExecuteCycle(const Row& row);
+  /// What the card has refused and warned of so far.
+  int64_t Told() const;
   const Judgement& JudgementOf(const Row& row, size_t requirement);
 
   CardModel& model_;
@@ -141,11 +182,11 @@ class CardSteps : public CardRows {
   bool watches_time_ = false;                           ///< one of them asks what came before
   Names reaction_names_;                                ///< of all reactions
 
-  ValueTable<Statement> statements_;
+  KnownSteps& known_;
   RecentValues<Statement> recent_statements_;
-  ValueTable<BodyAccess> accesses_;
-  ValueTable<Cycle> cycles_;
-  ValueTable<Judgement> judgements_;
+  // What tells something does so once a search, also if it is known from another one.
+  std::set<uint32_t> told_statements_;
+  std::set<uint32_t> told_cycles_;
   KeySet lasting_;  ///< what NewLastingAccess() depends on
   std::vector<int64_t> key_;
 };

@@ -28,6 +28,7 @@ class ValueTable {
   const Value& Of(StateKey key, const Make& make) {
     return (*this)[NumberOf(key, make)];
   }
+  uint32_t size() const { return keys_.size(); }
   const Value& operator[](uint32_t number) const {
     return blocks_[number / kBlock][number % kBlock];
   }

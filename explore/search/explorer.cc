@@ -132,6 +132,7 @@ StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* sto
           .merge_private = options.merge_private == true,
           .dead_locals = options.dead_locals,
           .symmetry = options.symmetry,
+          .known_steps = options.known_steps,
           .stop = stop,
           .progress = options.progress};
 }

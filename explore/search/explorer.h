@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -100,6 +101,8 @@ struct ExploreOptions {
   int64_t cases = 1;
   /// States that were searched in other cases, by which `state_limit` is lower than for all.
   int64_t states_before = 0;
+  /// With a card: what the searches of all cases know of its steps; nullptr: one case.
+  std::shared_ptr<KnownSteps> known_steps = {};
   /// kAuto, kStateful, with a card: only one of `groups` groups of schedules, from 0
   /// (explore/engines/card_cut.h). What comes before them is counted in the first one.
   int group = 0;

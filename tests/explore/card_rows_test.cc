@@ -34,7 +34,7 @@ TEST(CardRows, AreEqualExactlyIfStatesAre) {
     SCOPED_TRACE(machine.keys() + machine.source());
     CardModel model = CardOf(machine.source(), machine.keys());
     if (!CardRows::Possible(model)) continue;
-    CardRows rows(&model);
+    CardRows rows(&model, std::make_shared<CardRows::Tables>());
     std::map<StateKey, StateKey> row_of;
     std::map<StateKey, StateKey> state_of;
     for (uint64_t run = 0; run < 4; ++run) {

@@ -5,11 +5,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "card_machines.h"
 #include "explore/engines/card_graph.h"
 #include "explore/engines/walk.h"
+#include "explore/models/card_steps.h"
 #include "explore_programs.h"
 #include "random_machine.h"
 #include "tests/base/random_cases.h"
@@ -43,6 +48,54 @@ bool ExpectSame(const std::string& source, const std::string& keys) {
   return true;
 }
 
+std::string At(const char* ms) {
+  return std::string("[[world.input]]\nindex = 1\nvalue = 1\nat_ms = ") + ms + "\n";
+}
+
+std::vector<std::string> TextsOf(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(message.en);
+  return texts;
+}
+
+template <typename Found>
+std::vector<std::pair<int, int64_t>> CountsOf(const std::vector<Found>& all) {
+  std::vector<std::pair<int, int64_t>> counts;
+  for (const Found& found : all) counts.emplace_back(found.place.line, found.count);
+  std::ranges::sort(counts);
+  return counts;
+}
+
+/// What cases with other events know of the steps leaves out work, and nothing else. Returns false
+/// if states of the program cannot be left out.
+bool ExpectSameWithKnownSteps(const std::string& source, const std::string& keys) {
+  const auto known = std::make_shared<KnownSteps>();
+  for (const char* at_ms : {"0.5", "1", "1.75", "40"}) {
+    const std::string chosen = keys + At(at_ms);
+    SCOPED_TRACE(chosen + source);
+    CardModel model = CardOf(source, chosen);
+    const auto alone = SearchReduced(&model, {.states = 20'000});
+    if (!alone) return false;
+    CardModel other = CardOf(source, chosen);
+    const auto shared = SearchReduced(&other, {.states = 20'000, .known_steps = known});
+    EXPECT_TRUE(shared.has_value());
+    if (!shared) return true;
+    EXPECT_EQ(shared->counts.states, alone->counts.states);
+    EXPECT_EQ(shared->counts.transitions, alone->counts.transitions);
+    EXPECT_EQ(shared->counts.starts, alone->counts.starts);
+    EXPECT_EQ(shared->complete, alone->complete);
+    EXPECT_EQ(shared->failing, alone->failing);
+    EXPECT_EQ(shared->final_full, alone->final_full);
+    EXPECT_EQ(shared->ends.ends(), alone->ends.ends());
+    EXPECT_EQ(other.HeldSoFar(), model.HeldSoFar());
+    EXPECT_EQ(TextsOf(other.UntestedRequirements()), TextsOf(model.UntestedRequirements()));
+    EXPECT_EQ(other.horizon().axes, model.horizon().axes);
+    EXPECT_EQ(CountsOf(other.refused()), CountsOf(model.refused()));
+    EXPECT_EQ(CountsOf(other.found()), CountsOf(model.found()));
+  }
+  return true;
+}
+
 class ReducedSearchOfRandomMachines : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(ReducedSearchOfRandomMachines, HasTheVerdictAndEndsOfAllStates) {
@@ -57,6 +110,17 @@ TEST_P(ReducedSearchOfRandomMachines, HasTheVerdictAndEndsOfAllStates) {
   EXPECT_GE(reduced, LeastOfCases(kPrograms / 2));
 }
 
+TEST_P(ReducedSearchOfRandomMachines, IsTheSameWithWhatOtherCasesKnow) {
+  constexpr uint64_t kPrograms = 25;
+  const uint64_t programs = RandomCases(kPrograms);
+  uint64_t reduced = 0;
+  for (uint64_t i = 1; i <= programs && !HasFailure(); ++i) {
+    const RandomMachine machine(GetParam() * programs + i);
+    reduced += ExpectSameWithKnownSteps(machine.source(), machine.keys()) ? 1 : 0;
+  }
+  EXPECT_GE(reduced, LeastOfCases(kPrograms / 2));
+}
+
 INSTANTIATE_TEST_SUITE_P(Batches, ReducedSearchOfRandomMachines,
                          testing::Range(uint64_t{0}, uint64_t{8}));
 
@@ -64,6 +128,10 @@ class ReducedSearchOfMachines : public testing::TestWithParam<CardMachine> {};
 
 TEST_P(ReducedSearchOfMachines, HasTheVerdictAndEndsOfAllStates) {
   EXPECT_TRUE(ExpectSame(GetParam().source, GetParam().keys));
+}
+
+TEST_P(ReducedSearchOfMachines, IsTheSameWithWhatOtherCasesKnow) {
+  EXPECT_TRUE(ExpectSameWithKnownSteps(GetParam().source, GetParam().keys));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReducedSearchOfMachines, testing::ValuesIn(CardMachines()),
