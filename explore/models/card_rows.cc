@@ -45,8 +45,13 @@ void Fill(std::span<const int64_t> values, std::array<int64_t, vm::kSlotCount>* 
 
 }  // namespace
 
-bool CardRows::Possible(const CardModel& model) {
-  return model.host_ == nullptr && model.races_ == nullptr && !model.counts_statements_;
+std::optional<Message> CardRows::WhyNot(const CardModel& model) {
+  if (model.host_ != nullptr) return Message{"a recorded host acts", "有录制的主机动作"};
+  if (model.races_ != nullptr) return Message{"races are looked for", "要查找数据竞争"};
+  if (model.counts_statements_) {
+    return Message{"a condition counts statements", "有条件引用了语句数"};
+  }
+  return std::nullopt;
 }
 
 CardRows::CardRows(CardModel* model, std::shared_ptr<Tables> tables)

@@ -13,8 +13,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/message.h"
 #include "explore/models/card_model.h"
 #include "explore/models/key_set.h"
 #include "explore/models/state_key.h"
@@ -96,8 +98,9 @@ class CardRows {
   CardRows(const CardRows&) = delete;
   CardRows& operator=(const CardRows&) = delete;
 
-  /// True if the model has rows.
-  static bool Possible(const CardModel& model);
+  /// Why the model has no rows; empty: it has.
+  static std::optional<Message> WhyNot(const CardModel& model);
+  static bool Possible(const CardModel& model) { return !WhyNot(model); }
   /// False: a row does not say everything that the future depends on. Known when it is made.
   bool exact() const { return exact_; }
 

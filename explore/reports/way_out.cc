@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "explore/engines/walk.h"
+#include "explore/models/card_rows.h"
 #include "explore/search/case_counts.h"
 
 namespace oncard::explore {
@@ -120,6 +121,15 @@ std::vector<Message> NextOf(const Subject& subject, const Exploration& explorati
   return next;
 }
 
+/// Why every statement is executed in each state.
+Message WhyEachStep(const CardModel& model) {
+  const auto why = CardRows::WhyNot(model).value_or(
+      Message{"a thread starts again and again, or a command changes what is not known of it",
+              "有线程周期启动，或有指令改变了未知的内容"});
+  return MakeMessage("each step is executed on the card, which is slow: {0}",
+                     "每一步都在控制卡上执行，因此较慢：{1}", why.en, why.zh);
+}
+
 }  // namespace
 
 WayOut WayOutOf(const Subject& subject, const Exploration& exploration,
@@ -191,6 +201,7 @@ WayOut WayOutOf(const Subject& subject, const Exploration& exploration,
         "线程 {0} 在 {1} 处轮询：在循环中加上 GT_Delay(1)，状态会少得多", NumberOf(subject, thread),
         PlaceOf(subject, thread, position));
   });
+  if (!exploration.remembers_steps) way.spent.push_back(WhyEachStep(*model));
   way.next = NextOf(subject, exploration, options, false);
   if (subject.host == nullptr && exploration.reached && exploration.reached->until_ms > 0) {
     way.next.push_back(MakeMessage("until_ms = {0} in the scenario", "在场景中写 until_ms = {0}",

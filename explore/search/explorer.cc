@@ -545,6 +545,7 @@ Exploration SearchGroup(CardModel* model, const ExploreOptions& options) {
     fail(cut.failing);
   } else if (cut.counts.complete && !starts.empty()) {
     const CardGraph found = BuildCardGraph(model, limits, starts);
+    exploration.remembers_steps = found.by_rows;
     counts.states += found.graph.size();
     counts.transitions += found.graph.transitions;
     counts.bad_states += found.bad_states;
@@ -610,6 +611,7 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   const CardGraph found = BuildCardGraph(model, limits);
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
+  exploration.remembers_steps = found.by_rows;
   if (proof && !found.graph.complete) {
     proof->IncludeIn(model);
     exploration.islands = std::move(proof->counts);

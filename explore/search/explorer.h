@@ -137,6 +137,7 @@ struct Exploration {
   bool paired = false;
   Message why;                     ///< kPassed, kIncomplete: the bound that was reached
   std::optional<Reached> reached;  ///< kIncomplete, with a card: by its states
+  bool remembers_steps = true;     ///< with a card: its states were rows (models/card_rows.h)
   Horizon horizon;                 ///< with a card: what goes on where its runs end
   std::optional<TraceCounts> traces;
   TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete

@@ -7,14 +7,17 @@
 #include <nlohmann/json.hpp>
 
 #include "explore/reports/report.h"
+#include "explore/scenario_exploration.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// Thread 0 polls in line 4, thread 1 waits.
 constexpr const char* kPolling =
@@ -61,6 +64,28 @@ TEST(WayOutTest, OfACardSaysHowFarItCameAndWhy) {
                           "oncard explore test.toml --engine=bounded",
                           "oncard explore test.toml --engine=pos --runs=100000",
                           "until_ms = 0.25 in the scenario"));
+}
+
+TEST(WayOutTest, SaysWhyEachStepIsExecuted) {
+  const auto spent = [](const std::string& keys) {
+    return EnglishOf(
+        FindingsOf(kPolling, keys, {.engine = EngineKind::kStateful, .state_limit = 60})
+            .way_out.spent);
+  };
+  const std::string slow = "each step is executed on the card, which is slow: ";
+  EXPECT_THAT(spent("races = \"none\"\nsync = [\"go\"]\n"),
+              Contains(slow + "races are looked for"));
+  EXPECT_THAT(spent("always = [\"statements < 999\"]\n"),
+              Contains(slow + "a condition counts statements"));
+  EXPECT_THAT(spent(""), Not(Contains(HasSubstr(slow))));
+  // Seen only in the search.
+  LoadedScenario periodic = LoadedOf(kPolling, "until_ms = 9\n");
+  periodic.scenario.threads[0].period_ms = 1;
+  const auto findings = ExploreScenario(periodic.scenario, {}, periodic.object,
+                                        {.engine = EngineKind::kStateful, .state_limit = 60});
+  ASSERT_TRUE(findings.ok());
+  EXPECT_THAT(EnglishOf(findings.value().way_out.spent),
+              Contains(HasSubstr(slow + "a thread starts again and again, or a command")));
 }
 
 TEST(WayOutTest, OfASearchWithReductionsOffersMoreStates) {
