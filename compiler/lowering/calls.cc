@@ -185,7 +185,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
         offset.operand = symbol.offset;
         symbol.offset = VariableOperand(VariableOf(
             parameters[i], Variable::Role::kLocal,
-            fmt::format("{}_{}", syntax.name, declarator.name), Type{}, 0, declarator.name_range));
+            fmt::format("{}_{}", syntax.name, declarator.name), Type{}, {}, declarator.name_range));
         symbol.dimensions.front() = 0;
         copies.push_back({{symbol.offset, Type{}}, offset, argument.range, {}});
       }
@@ -198,7 +198,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
         return false;
       }
       symbol.variable = VariableOf(parameters[i], Variable::Role::kLocal,
-                                   fmt::format("{}_{}", syntax.name, declarator.name), type, 0,
+                                   fmt::format("{}_{}", syntax.name, declarator.name), type, {},
                                    declarator.name_range);
       copies.push_back({{VariableOperand(symbol.variable), type}, {}, argument.range, structure});
     } else {
@@ -213,7 +213,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       }
       value = Convert(value, type.basic, argument.range);
       symbol.variable = VariableOf(parameters[i], Variable::Role::kLocal,
-                                   fmt::format("{}_{}", syntax.name, declarator.name), type, 0,
+                                   fmt::format("{}_{}", syntax.name, declarator.name), type, {},
                                    declarator.name_range);
       copies.push_back({{VariableOperand(symbol.variable), type}, value, argument.range, {}});
     }
@@ -240,7 +240,7 @@ Operand Lowerer::NewResult(const Expression& call, const FunctionInfo& info) {
       [](const Leaf& leaf) { return leaf.is_array || leaf.type.structure != nullptr; });
   if (!numbers) {
     return VariableOperand(VariableOf(&call, Variable::Role::kLocal,
-                                      fmt::format("{}_result", info.syntax->name), type, 0,
+                                      fmt::format("{}_result", info.syntax->name), type, {},
                                       call.range));
   }
   const int first = static_cast<int>(program_.variables.size());

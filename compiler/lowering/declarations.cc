@@ -30,10 +30,35 @@ BasicType TypeOfWords(const Words& words) {
   return words.is_unsigned ? BasicType::kUnsigned : BasicType::kInt;
 }
 
-// The elements of a leaf's variable where there are so many structures; 0: one that is no array.
-int SizeOfLeaf(const Leaf& leaf, int structures) {
-  if (structures == 0 && !leaf.is_array) return 0;
-  return std::max(structures, 1) * static_cast<int>(leaf.size);
+int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
+  int64_t size = dimensions.empty() ? 0 : 1;
+  for (const int64_t dimension : dimensions) size *= dimension;
+  return size;
+}
+
+// What a variable of a type has variables of the card for.
+std::vector<Leaf> LeavesIn(const Type& type) {
+  if (type.own != nullptr) return type.own->leaves;
+  Leaf leaf;
+  leaf.type = type;
+  return {leaf};
+}
+
+// The variable of the card for a leaf of a variable that C calls `written`.
+Variable VariableFor(const Leaf& leaf, const std::vector<int64_t>& dimensions,
+                     std::string_view written, std::string name) {
+  Variable variable;
+  variable.type = DataTypeOf(leaf.type.basic);
+  variable.structure = leaf.type.structure;
+  const int64_t structures = SizeOfAll(dimensions);
+  if (structures != 0 || leaf.is_array) {
+    variable.size = static_cast<int>(std::max(structures, int64_t{1}) * leaf.size);
+  }
+  if (!leaf.written.empty() || dimensions.size() > 1) {
+    variable.written = fmt::format("{}{}{}", written, SpellSizes(dimensions), leaf.written);
+  }
+  variable.name = std::move(name);
+  return variable;
 }
 
 Message WhyNoExtern() {
@@ -126,47 +151,47 @@ const Lowerer::Symbol* Lowerer::Lookup(std::string_view name) const {
   return later ? nullptr : &symbol;
 }
 
-// A structure becomes a variable for each leaf; the result is the first one.
-int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,
-                         SourceRange range) {
-  const int first = static_cast<int>(program_.variables.size());
-  if (type.own != nullptr) {
-    for (const Leaf& leaf : type.own->leaves) {
-      NewVariable(role, fmt::format("{}_{}", wish, leaf.name), leaf.type, SizeOfLeaf(leaf, size),
-                  range);
-    }
-    return first;
+// How a local structure is called: by its name in C, or with a number if another one of the thread
+// function has it.
+std::string Lowerer::NewWrittenName(std::string_view wish) {
+  int& uses = written_names_[std::string(wish)];
+  if (++uses == 1) return std::string(wish);
+  for (;; ++uses) {
+    std::string name = fmt::format("{}_{}", wish, uses);
+    if (written_names_.try_emplace(name, 1).second) return name;
   }
-  Variable variable;
-  variable.role = role;
-  variable.name = names_.Make(wish);
-  local_names_.insert(variable.name);
-  variable.type = DataTypeOf(type.basic);
-  variable.size = size;
-  variable.structure = type.structure;
-  variable.range = range;
-  program_.variables.push_back(std::move(variable));
+}
+
+// A structure becomes a variable for each leaf; the result is the first one.
+int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type,
+                         const std::vector<int64_t>& dimensions, SourceRange range) {
+  const int first = static_cast<int>(program_.variables.size());
+  const bool own = type.own != nullptr;
+  const std::string written = own ? NewWrittenName(wish) : std::string();
+  for (const Leaf& leaf : LeavesIn(type)) {
+    const std::string name =
+        names_.Make(own ? fmt::format("{}_{}", wish, leaf.name) : std::string(wish));
+    local_names_.insert(name);
+    Variable variable = VariableFor(leaf, dimensions, own ? written : name, name);
+    variable.role = role;
+    variable.range = range;
+    program_.variables.push_back(std::move(variable));
+  }
   return first;
 }
 
-int Lowerer::NewGlobal(std::string name, const Type& type, int size, SourceRange range) {
+int Lowerer::NewGlobal(const std::string& name, const Type& type,
+                       const std::vector<int64_t>& dimensions, SourceRange range) {
   const int first = static_cast<int>(program_.variables.size());
-  if (type.own != nullptr) {
-    for (const Leaf& leaf : type.own->leaves) {
-      NewGlobal(NewGlobalName(fmt::format("{}_{}", name, leaf.name)), leaf.type,
-                SizeOfLeaf(leaf, size), range);
-    }
-    return first;
+  for (const Leaf& leaf : LeavesIn(type)) {
+    Variable variable = VariableFor(
+        leaf, dimensions, name,
+        type.own != nullptr ? NewGlobalName(fmt::format("{}_{}", name, leaf.name)) : name);
+    variable.role = Variable::Role::kGlobal;
+    variable.range = range;
+    program_.globals.push_back(static_cast<int>(program_.variables.size()));
+    program_.variables.push_back(std::move(variable));
   }
-  Variable variable;
-  variable.role = Variable::Role::kGlobal;
-  variable.name = std::move(name);
-  variable.type = DataTypeOf(type.basic);
-  variable.size = size;
-  variable.structure = type.structure;
-  variable.range = range;
-  program_.variables.push_back(std::move(variable));
-  program_.globals.push_back(first);
   return first;
 }
 
@@ -181,10 +206,12 @@ std::string Lowerer::NewGlobalName(std::string_view wish) {
 
 // A function that is inlined twice has its variables once.
 int Lowerer::VariableOf(const void* declaration, Variable::Role role, std::string_view name,
-                        const Type& type, int size, SourceRange range) {
+                        const Type& type, const std::vector<int64_t>& dimensions,
+                        SourceRange range) {
   const auto found = variables_.find(declaration);
   if (found != variables_.end()) return found->second;
-  const int variable = NewVariable(role, frame_->prefix + std::string(name), type, size, range);
+  const int variable =
+      NewVariable(role, frame_->prefix + std::string(name), type, dimensions, range);
   variables_.emplace(declaration, variable);
   return variable;
 }
@@ -342,16 +369,6 @@ bool Lowerer::DeclareConstant(const Declarator& declarator, const Type& type) {
   return true;
 }
 
-namespace {
-
-int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
-  int64_t size = dimensions.empty() ? 0 : 1;
-  for (const int64_t dimension : dimensions) size *= dimension;
-  return size;
-}
-
-}  // namespace
-
 // `[]` has as many rows as there are values for; in `extern int a[];` a later declaration says how
 // many.
 void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
@@ -421,8 +438,7 @@ void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type, bool
   }
   first.is_extern &= symbol.is_extern;
   if (first.variable < 0 && !first.is_extern && !first.invalid) {
-    first.variable = NewGlobal(std::string(declarator.name), type,
-                               static_cast<int>(SizeOfAll(first.dimensions)), first.range);
+    first.variable = NewGlobal(std::string(declarator.name), type, first.dimensions, first.range);
   }
   const bool initialise = !first.invalid && declarator.initialiser != nullptr;
   first.initialised |= initialise;
@@ -471,14 +487,13 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
     Define(declarator.name, std::move(symbol));
     return;
   }
-  const int size = static_cast<int>(SizeOfAll(symbol.dimensions));
   if (is_static) {
     const auto [entry, added] = statics_.try_emplace(&declarator, -1);
     if (added) {
       // The name says whose it is: it is a global now.
       const std::string wish = fmt::format("{}_{}", frame_->info->syntax->name, declarator.name);
-      entry->second = NewGlobal(type.own != nullptr ? wish : NewGlobalName(wish), type, size,
-                                declarator.name_range);
+      entry->second =
+          NewGlobal(NewGlobalName(wish), type, symbol.dimensions, declarator.name_range);
       for (size_t i = static_cast<size_t>(entry->second); i < program_.variables.size(); ++i) {
         names_.Reserve(program_.variables[i].name);
       }
@@ -489,8 +504,8 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
     Define(declarator.name, std::move(symbol));
     return;
   }
-  symbol.variable = VariableOf(&declarator, Variable::Role::kLocal, declarator.name, type, size,
-                               declarator.name_range);
+  symbol.variable = VariableOf(&declarator, Variable::Role::kLocal, declarator.name, type,
+                               symbol.dimensions, declarator.name_range);
   // In C the scope of a name begins before its initial value.
   Define(declarator.name, symbol);
   if (declarator.initialiser != nullptr) InitialiseLocal(declarator, symbol);

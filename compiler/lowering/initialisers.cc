@@ -439,7 +439,7 @@ std::optional<ArrayPlace> Lowerer::LowerCompoundLiteral(const Expression& litera
   }
   if (!IsComplete(symbol.type, written, literal.range)) return std::nullopt;
   symbol.variable =
-      VariableOf(&literal, Variable::Role::kLocal, "literal", symbol.type, 0, literal.range);
+      VariableOf(&literal, Variable::Role::kLocal, "literal", symbol.type, {}, literal.range);
   Initialise(*literal.operands[0], written, literal.range, symbol);
   return ArrayPlace{symbol.variable, symbol.offset, {}, symbol.type, written};
 }

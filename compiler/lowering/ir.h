@@ -19,6 +19,8 @@ struct Variable {
   Role role = Role::kLocal;
   /// As it is printed; temporaries get theirs when they share slots.
   std::string name;
+  /// How C calls it, with all sizes: `axis[3].gains[2]`. Empty: the same.
+  std::string written;
   vm::DataType type = vm::DataType::kInt;
   /// Elements of an array; 0: not an array.
   int size = 0;

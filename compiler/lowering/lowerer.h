@@ -250,12 +250,14 @@ class Lowerer {
   void SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol);
   void Define(std::string_view name, Symbol symbol);
   const Symbol* Lookup(std::string_view name) const;
-  int NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,
-                  SourceRange range);
+  std::string NewWrittenName(std::string_view wish);
+  int NewVariable(Variable::Role role, std::string_view wish, const Type& type,
+                  const std::vector<int64_t>& dimensions, SourceRange range);
   int VariableOf(const void* declaration, Variable::Role role, std::string_view name,
-                 const Type& type, int size, SourceRange range);
+                 const Type& type, const std::vector<int64_t>& dimensions, SourceRange range);
   std::string NewGlobalName(std::string_view wish);
-  int NewGlobal(std::string name, const Type& type, int size, SourceRange range);
+  int NewGlobal(const std::string& name, const Type& type, const std::vector<int64_t>& dimensions,
+                SourceRange range);
 
   // --- structures.cc ---
   const OwnStructure* FindStructure(const StructSpecifier& syntax, const Scope* scope) const;
@@ -496,6 +498,7 @@ class Lowerer {
   LoweredFunction* out_ = nullptr;
   Frame* frame_ = nullptr;
   NameMaker names_;
+  std::unordered_map<std::string, int> written_names_;  // of structures, how often each is wished
   NameMaker label_names_;
   std::unordered_map<const void*, int> variables_;  // by declarator or parameter
   std::deque<SharedBody> bodies_;

@@ -11,6 +11,7 @@
 #include "compiler/lowering/passes/passes.h"
 #include "compiler/lowering/printer.h"
 #include "compiler/lowering/speller.h"
+#include "compiler/lowering/written_names.h"
 #include "compiler/structured_source.h"
 
 namespace oncard::compiler {
@@ -111,6 +112,17 @@ void NameAsserts(const lowering::Program& program, const lowering::LoweredFuncti
   }
 }
 
+// The variables that the statements of a function name.
+std::vector<int> VariablesOf(const lowering::LoweredFunction& function) {
+  std::vector<int> variables;
+  for (const lowering::Instruction& instruction : function.code) {
+    lowering::ForEachOperand(instruction, [&](const lowering::Operand& operand, bool /*written*/) {
+      if (operand.variable >= 0) variables.push_back(operand.variable);
+    });
+  }
+  return variables;
+}
+
 }  // namespace
 
 Lowering LowerText(const std::string& path, std::string text, const Options& options,
@@ -148,7 +160,10 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
           MoveLines(program.functions[i].header, source.files(), printed.origins,
                     &compilation.object->functions[i]);
           NameAsserts(program, program.functions[i], &compilation.object->functions[i]);
+          lowering::WriteNames(program, VariablesOf(program.functions[i]),
+                               &compilation.object->functions[i].variables);
         }
+        lowering::WriteNames(program, program.globals, &compilation.object->globals);
         for (std::vector<SourceRange>& places : compilation.places) {
           for (SourceRange& place : places) {
             place = OriginOf(place, compilation.files[0], printed.origins);

@@ -10,6 +10,7 @@
 
 #include "compiler/dialect.h"
 #include "compiler/lowering/speller.h"
+#include "compiler/lowering/written_names.h"
 #include "compiler/text.h"
 
 namespace oncard::compiler::lowering {
@@ -220,7 +221,7 @@ class Printer {
       SourceRange range;
       range.begin = static_cast<uint32_t>(line.data() - source.data());
       range.end = range.begin + static_cast<uint32_t>(line.size());
-      Line(std::string(Trim(line)), range);
+      Line(NameAsLowered(program_, Trim(line)), range);
     });
     // A backslash at the end of the last one continues the comment with an empty line.
     EmptyLine();

@@ -129,6 +129,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   LoweredFunction function;
   out_ = &function;
   names_ = NameMaker(&global_names_);
+  written_names_.clear();
   label_names_ = NameMaker();
   variables_.clear();
   bodies_.clear();
@@ -169,7 +170,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
     symbol.type = type;
     symbol.range = declarator.name_range;
     symbol.variable =
-        NewVariable(Variable::Role::kParameter, declarator.name, type, 0, declarator.name_range);
+        NewVariable(Variable::Role::kParameter, declarator.name, type, {}, declarator.name_range);
     function.parameters.push_back(symbol.variable);
     Define(declarator.name, std::move(symbol));
   }

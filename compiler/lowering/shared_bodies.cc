@@ -80,8 +80,8 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
     body->id = static_cast<int>(bodies_.size());
     body->back.push_back(back);
     const auto make = [this, name, &call](std::string_view what, const Type& of) {
-      return VariableOperand(
-          NewVariable(Variable::Role::kLocal, fmt::format("{}_{}", name, what), of, 0, call.range));
+      return VariableOperand(NewVariable(Variable::Role::kLocal, fmt::format("{}_{}", name, what),
+                                         of, {}, call.range));
     };
     body->number = make("call", Type{});
     if (type != BasicType::kVoid) body->result = make("result", info.type);

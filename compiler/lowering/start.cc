@@ -28,7 +28,7 @@ void Lowerer::EmitStart(LoweredFunction& function) {
   if (start_.ready < 0) {
     const Type type;
     const auto make = [this, &type](std::string_view name) {
-      return NewGlobal(NewGlobalName(name), type, 0, SourceRange());
+      return NewGlobal(NewGlobalName(name), type, {}, SourceRange());
     };
     start_.ready = make("oncard_ready");
     start_.entered = make("oncard_entered");

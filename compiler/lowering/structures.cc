@@ -113,9 +113,11 @@ void Lowerer::AddMember(OwnStructure& structure, const Declarator& declarator, c
   }
   structure.values += width;
   const int64_t count = Width({Type{}, member.dimensions});
+  const std::string written = fmt::format(".{}{}", declarator.name, SpellSizes(member.dimensions));
   const auto add = [&](std::string name, const Leaf& leaf) {
     Leaf added = leaf;
     added.name = std::move(name);
+    added.written = written + leaf.written;
     added.type.is_const |= type.is_const;
     added.is_array |= !member.dimensions.empty();
     added.size *= count;
@@ -222,7 +224,7 @@ std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) 
     const std::optional<Shape> shape = ShapeOf(inner);
     if (shape && shape->type.own != nullptr) {
       const ArrayPlace chosen = StructureAt(
-          VariableOf(&inner, Variable::Role::kLocal, "chosen", shape->type, 0, inner.range),
+          VariableOf(&inner, Variable::Role::kLocal, "chosen", shape->type, {}, inner.range),
           shape->type);
       StoreStructure(chosen, inner);
       return chosen;

@@ -1,5 +1,7 @@
 #include "compiler/lowering/types.h"
 
+#include <fmt/core.h>
+
 #include <array>
 
 namespace oncard::compiler::lowering {
@@ -58,5 +60,11 @@ int64_t ConvertInteger(int64_t value, BasicType type) {
 }
 
 std::string_view NameOf(BasicType type) { return RowOf(type).name; }
+
+std::string SpellSizes(const std::vector<int64_t>& dimensions) {
+  std::string text;
+  for (const int64_t size : dimensions) text += fmt::format("[{}]", size);
+  return text;
+}
 
 }  // namespace oncard::compiler::lowering

@@ -52,7 +52,8 @@ struct OwnMember {
 /// What a structure has a variable of the card for: a number, an array of numbers, or a structure
 /// of the card.
 struct Leaf {
-  std::string name;  ///< `m`, or `inner_m` of a structure in it
+  std::string name;     ///< `m`, or `inner_m` of a structure in it
+  std::string written;  ///< `.m`, or `.inner[2].m[4]`
   Type type;
   bool is_array = false;
   int64_t size = 1;  ///< values of an array; several dimensions are one
@@ -106,5 +107,8 @@ int64_t ConvertInteger(int64_t value, BasicType type);
 
 /// As C spells it.
 std::string_view NameOf(BasicType type);
+
+/// The sizes of an array as they are declared: `[2][3]`.
+std::string SpellSizes(const std::vector<int64_t>& dimensions);
 
 }  // namespace oncard::compiler::lowering

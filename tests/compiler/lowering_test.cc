@@ -377,5 +377,72 @@ TEST(Lowering, MessagesAboutTheLoweredTextHavePlacesOfC) {
               "GT_SetVel takes 2 arguments");
 }
 
+// The names of variables whose names in C are others, as `a_x: a[3].x`.
+std::vector<std::string> Written(const std::vector<vm::Symbol>& symbols) {
+  std::vector<std::string> names;
+  for (const vm::Symbol& symbol : symbols) {
+    if (!symbol.written.empty()) names.push_back(symbol.name + ": " + symbol.written);
+  }
+  return names;
+}
+
+TEST(LoweringNames, Globals) {
+  const Lowering lowering = Lower(
+      "typedef int row[4];\n"
+      "struct point { int x; row y[2]; };\n"
+      "struct axis { double at; struct point to[3]; TTrapPrm trap; } axis;\n"
+      "struct point p, list[2][5];\n"
+      "int v, data[4], m[2][3], list_x;\n"
+      "void t0() { static struct point last; last.x++; static int n; n++; }\n");
+  ASSERT_TRUE(lowering.object.has_value());
+  EXPECT_THAT(
+      Written(lowering.object->globals),
+      testing::ElementsAre("axis_at: axis.at", "axis_to_x: axis.to[3].x",
+                           "axis_to_y: axis.to[3].y[2][4]", "axis_trap.acc: axis.trap.acc",
+                           "axis_trap.dec: axis.trap.dec", "axis_trap.velStart: axis.trap.velStart",
+                           "axis_trap.smoothTime: axis.trap.smoothTime", "p_x: p.x",
+                           "p_y: p.y[2][4]", "list_x_2: list[2][5].x", "list_y: list[2][5].y[2][4]",
+                           "m: m[2][3]", "t0_last_x: t0_last.x", "t0_last_y: t0_last.y[2][4]"));
+}
+
+// Two locals of a thread function may be called alike, and like a global.
+TEST(LoweringNames, Locals) {
+  const Lowering lowering = Lower(
+      "struct point { int x; int y; } p;\n"
+      "int sum(struct point a) { return a.x + a.y; }\n"
+      "void t0(int n) {\n"
+      "  struct point p = {n, 2}, q[2];\n"
+      "  int m[2][2], d[4];\n"
+      "  { struct point p = {n, 4}; q[n] = p; m[n][1] = d[n] = sum(p); }\n"
+      "  GT_SetVel(q[1].y, sum(p) + m[1][n] + d[n]);\n"
+      "}\n",
+      {.optimize = false});
+  ASSERT_TRUE(lowering.object.has_value());
+  EXPECT_THAT(
+      Written(lowering.object->functions[0].variables),
+      testing::ElementsAre("p_x_2: p.x", "p_y_2: p.y", "q_x: q[2].x", "q_y: q[2].y", "m: m[2][2]",
+                           "p_x_3: p_2.x", "p_y_3: p_2.y", "sum_a_x: sum_a.x", "sum_a_y: sum_a.y"));
+}
+
+// The lowered program has no names of C.
+TEST(LoweringNames, InComments) {
+  const Lowering lowering = Lower(
+      "//@ structured\n"
+      "//@ always: axis[1].target < 0x10 && m[1][2] + m[1] == axis_target[1] * 2e3\n"
+      "//@ final: page0.old.gains[1] == 2.5 && p == 3 && axis1.prfPos == 0\n"
+      "//@ sync: axis, q\n"
+      "//@ within 5 ms: q[1].x -> q[0].y\n"
+      "struct axis { int target; double gains[2]; } axis[3];\n"
+      "struct { int x; int y; } q[2];\nint m[2][3], p, within;\n"
+      "void t0() { struct axis old = axis[1]; GT_SetVel(1, old.gains[1]); }\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text,
+              testing::StartsWith(
+                  "//@ always: axis_target[1] < 0x10 && m[5] + m[1] == axis_target[1] * 2e3\n"
+                  "//@ final: page0.old_gains[1] == 2.5 && p == 3 && axis1.prfPos == 0\n"
+                  "//@ sync: axis_target, axis_gains, q_x, q_y\n"
+                  "//@ within 5 ms: q_x[1] -> q_y[0]\n"));
+}
+
 }  // namespace
 }  // namespace oncard::compiler
