@@ -1,13 +1,12 @@
 #include "explore/models/model.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <optional>
 #include <variant>
 
 #include "vm/arithmetic.h"
 #include "vm/fixed_point.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::explore {
 namespace {
@@ -49,9 +48,8 @@ std::vector<ThreadSetup> BoundThreads(const vm::Machine& machine) {
 
 std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
   const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
-  if (symbol == nullptr) return {};
-  return symbol->array_size == 0 ? symbol->name
-                                 : fmt::format("{}[{}]", symbol->name, id - symbol->id);
+  return symbol == nullptr ? std::string()
+                           : vm::NameOfElement(*symbol, static_cast<int>(id) - symbol->id);
 }
 
 Result<Model> Model::Create(const vm::Machine& machine) {

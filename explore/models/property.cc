@@ -7,6 +7,7 @@
 #include "base/nearest.h"
 #include "base/number.h"
 #include "vm/fixed_point.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::explore {
 namespace {
@@ -25,9 +26,10 @@ class ModelNames {
 
   explicit ModelNames(const Model& model) : model_(model) {}
 
-  Result<Place> Find(std::string_view name, std::optional<int> index) const {
-    const vm::Symbol* global = vm::FindGlobal(model_.image(), name);
-    if (global != nullptr) return Slot(*global, index, true, 0);
+  Result<Place> Find(std::string_view name) const {
+    const auto global = vm::FindNamed(model_.image().object.globals, name);
+    if (!global.ok()) return global.error();
+    if (!global.value().empty()) return Slot(name, global.value(), true, 0);
     for (const std::string_view prefix : {"ret", "thread"}) {
       if (!name.starts_with(prefix)) continue;
       std::string_view digits = name.substr(prefix.size());
@@ -41,15 +43,16 @@ class ModelNames {
       const size_t dot = name.find('.');
       const auto page =
           dot == std::string_view::npos ? std::nullopt : ParseNumber(name.substr(4, dot - 4));
-      if (page) return Local(*page, name.substr(dot + 1), index);
+      if (page) return Local(*page, name.substr(dot + 1));
     }
     return Unknown(name);
   }
 
-  Result<Place> FindInThread(std::string_view name, std::optional<int> index, int thread) const {
+  Result<Place> FindInThread(std::string_view name, int thread) const {
     const ThreadSetup& setup = model_.setup(thread);
-    const vm::Symbol* local = vm::FindLocal(model_.image(), setup.function, name);
-    return local != nullptr ? Slot(*local, index, false, setup.page) : Find(name, index);
+    const auto local = vm::FindNamed(LocalsOf(setup), name);
+    if (!local.ok()) return local.error();
+    return local.value().empty() ? Find(name) : Slot(name, local.value(), false, setup.page);
   }
 
  private:
@@ -64,34 +67,46 @@ class ModelNames {
     return MakeError(1, "'{0}': there is no thread {1}", "“{0}”：没有线程 {1}", name, number);
   }
 
-  Result<Place> Local(int page, std::string_view name, std::optional<int> index) const {
+  const std::vector<vm::Symbol>& LocalsOf(const ThreadSetup& setup) const {
+    return model_.image().object.functions[static_cast<size_t>(setup.function)].variables;
+  }
+
+  Result<Place> Local(int page, std::string_view name) const {
     for (int thread = 0; thread < model_.thread_count(); ++thread) {
       if (model_.setup(thread).page != page) continue;
-      const vm::Symbol* symbol = vm::FindLocal(model_.image(), model_.setup(thread).function, name);
-      if (symbol == nullptr) break;
-      return Slot(*symbol, index, false, page);
+      const auto found = vm::FindNamed(LocalsOf(model_.setup(thread)), name);
+      if (!found.ok()) return found.error();
+      if (found.value().empty()) break;
+      return Slot(name, found.value(), false, page);
     }
     return MakeError(1, "no thread has a variable '{0}' on page {1}", "数据页 {1} 上没有变量“{0}”",
                      name, page);
   }
 
-  Result<Place> Slot(const vm::Symbol& symbol, std::optional<int> index, bool global,
-                     int page) const {
-    if (index.has_value() != (symbol.array_size != 0) || index.value_or(0) >= symbol.slots()) {
-      return MakeError(1, "'{0}' has {1} elements: write an index below that in brackets",
-                       "“{0}”有 {1} 个元素：请在方括号中写出下标", symbol.name, symbol.array_size);
+  static Result<Place> Slot(std::string_view name, const std::vector<vm::NamedSlots>& found,
+                            bool global, int page) {
+    const vm::NamedSlots& slots = found.front();
+    if (!slots.is_number) {
+      size_t count = 0;
+      for (const vm::NamedSlots& each : found) count += each.count;
+      return MakeError(1, "'{0}' has {1} elements: write one of them, such as '{2}'",
+                       "“{0}”有 {1} 个元素：应写其中一个，如“{2}”", name, count,
+                       vm::NameOfElement(*slots.symbol, slots.first));
     }
     vm::SlotAddress slot;
     slot.global = global;
     slot.page = static_cast<uint8_t>(page);
-    slot.id = static_cast<uint16_t>(symbol.id + index.value_or(0));
-    slot.type = symbol.type;
-    return Place{.slot = slot, .type = symbol.type};
+    slot.id = static_cast<uint16_t>(slots.symbol->id + slots.first);
+    slot.type = slots.symbol->type;
+    return Place{.slot = slot, .type = slot.type};
   }
 
   Result<Place> Unknown(std::string_view name) const {
     Nearest nearest(name);
-    for (const vm::Symbol& symbol : model_.image().object.globals) nearest.Add(symbol.name);
+    for (const vm::Symbol& symbol : model_.image().object.globals) {
+      nearest.Add(symbol.name);
+      nearest.Add(symbol.written);
+    }
     if (!nearest.best().empty()) {
       return MakeError(1, "there is no variable '{0}'; did you mean '{1}'?",
                        "没有变量“{0}”；是否想写“{1}”？", name, nearest.best());
@@ -105,8 +120,8 @@ class ModelNames {
 Result<Property> Property::Bind(runtime::Condition condition, const Model& model) {
   const ModelNames names(model);
   Property property;
-  for (const runtime::Condition::Name& name : condition.names()) {
-    auto place = names.Find(name.base, name.index);
+  for (const std::string& name : condition.names()) {
+    auto place = names.Find(name);
     if (!place.ok()) return place.error();
     property.places_.push_back(place.value());
   }
@@ -118,8 +133,8 @@ Result<Property> Property::BindInThread(runtime::Condition condition, int thread
                                         const Model& model) {
   const ModelNames names(model);
   Property property;
-  for (const runtime::Condition::Name& name : condition.names()) {
-    auto place = names.FindInThread(name.base, name.index, thread);
+  for (const std::string& name : condition.names()) {
+    auto place = names.FindInThread(name, thread);
     if (!place.ok()) return place.error();
     property.places_.push_back(place.value());
   }

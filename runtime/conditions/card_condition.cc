@@ -12,23 +12,22 @@ namespace oncard::runtime {
 namespace {
 
 /// The name in quantity.h: `retN` means `threadN.result` unless there is a global with that name.
-std::string QuantityName(const Condition::Name& name, const Controller& controller) {
+std::string QuantityName(const std::string& name, const Controller& controller) {
   constexpr std::string_view kReturned = "ret";
   const vm::Image* image = controller.machine().image();
-  const std::string_view base = name.base;
-  const bool global = image != nullptr && vm::FindGlobal(*image, base) != nullptr;
-  if (!global && !name.index && base.starts_with(kReturned) &&
-      ReadWhole<unsigned>(base.substr(kReturned.size()))) {
-    return fmt::format("thread{}.result", base.substr(kReturned.size()));
+  const bool global = image != nullptr && vm::FindGlobal(*image, name) != nullptr;
+  if (!global && name.starts_with(kReturned) &&
+      ReadWhole<unsigned>(std::string_view(name).substr(kReturned.size()))) {
+    return fmt::format("thread{}.result", name.substr(kReturned.size()));
   }
-  return name.Text();
+  return name;
 }
 
 }  // namespace
 
 Result<CardCondition> CardCondition::Bind(Condition condition, const Controller& controller) {
   std::vector<std::string> names;
-  for (const Condition::Name& name : condition.names()) {
+  for (const std::string& name : condition.names()) {
     names.push_back(QuantityName(name, controller));
   }
   return Bind(std::move(condition), names, controller);
@@ -37,9 +36,9 @@ Result<CardCondition> CardCondition::Bind(Condition condition, const Controller&
 Result<CardCondition> CardCondition::BindInThread(Condition condition, int thread,
                                                   const Controller& controller) {
   std::vector<std::string> names;
-  for (const Condition::Name& name : condition.names()) {
-    std::string local = NameInThread(name.Text(), thread, controller);
-    names.push_back(local == name.Text() ? QuantityName(name, controller) : std::move(local));
+  for (const std::string& name : condition.names()) {
+    std::string local = NameInThread(name, thread, controller);
+    names.push_back(local == name ? QuantityName(name, controller) : std::move(local));
   }
   return Bind(std::move(condition), names, controller);
 }
@@ -65,9 +64,9 @@ Result<CardCondition> CardCondition::Bind(Condition condition,
     auto found = ResolveQuantity(full, controller);
     if (!found.ok()) return found.error();
     if (found.value().size() != 1) {
-      return MakeError(1, "'{0}' is an array of {1} elements: write one of them, such as '{0}[0]'",
-                       "“{0}”是有 {1} 个元素的数组：应写其中一个，如“{0}[0]”", full,
-                       found.value().size());
+      return MakeError(1, "'{0}' is an array of {1} elements: write one of them, such as '{2}'",
+                       "“{0}”是有 {1} 个元素的数组：应写其中一个，如“{2}”", full,
+                       found.value().size(), found.value().front().name);
     }
     quantities.push_back(std::move(found.value().front()));
   }

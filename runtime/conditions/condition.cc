@@ -1,14 +1,8 @@
 #include "runtime/conditions/condition.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace oncard::runtime {
-
-std::string Condition::Name::Text() const {
-  return index ? fmt::format("{}[{}]", base, *index) : base;
-}
 
 bool Condition::HasTolerance() const {
   return std::ranges::any_of(elements_, [](const Element& element) {

@@ -8,8 +8,8 @@
 // Operators have the precedence of C: || && == != < <= > >= + - * and, before an operand, ! - +;
 // there are parentheses. `a == b +- t` holds if a and b differ by at most t, `a != b +- t` if they
 // differ by more. Numbers are those of base/number.h; a word that begins with a letter is a name,
-// even `inf`. The binding defines the names: `v`, `a[3]`, `s.member`, `page0.v`, `ret0`,
-// `axis1.prfPos`.
+// even `inf`. The binding defines the names: `v`, `a[3]`, `s.member`, `a[2].member`, `m[1][2]`,
+// `page0.v`, `ret0`, `axis1.prfPos`.
 //
 // Every value is a double: it represents an int, an unsigned word and a fixed-point number exactly,
 // and sums and products do not wrap as they do on the card. True is 1 and false is 0; every value
@@ -59,15 +59,6 @@ class Condition {
     kNegate
   };
 
-  struct Name {
-    std::string base;          ///< the part before a bracket
-    std::optional<int> index;  ///< the number in brackets
-
-    /// `a[3]`.
-    std::string Text() const;
-    bool operator==(const Name&) const = default;
-  };
-
   /// A comparison of a name with a number or another name, and nothing else.
   struct Comparison {
     size_t left = 0;  ///< among names()
@@ -78,8 +69,8 @@ class Condition {
 
   /// The text from which it was read.
   const std::string& text() const { return text_; }
-  /// The names in it, each once, in the order of their first occurrence.
-  const std::vector<Name>& names() const { return names_; }
+  /// The names in it without blanks, as `a[3]`, each once, in the order of their first occurrence.
+  const std::vector<std::string>& names() const { return names_; }
   /// True if a comparison in it has a tolerance.
   bool HasTolerance() const;
   /// Empty for a condition that is more than a comparison.
@@ -101,7 +92,7 @@ class Condition {
   static_assert(kElementMax <= UINT8_MAX);
 
   std::string text_;
-  std::vector<Name> names_;
+  std::vector<std::string> names_;
   std::vector<Element> elements_;
 };
 

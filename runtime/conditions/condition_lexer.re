@@ -33,6 +33,7 @@ ConditionToken NextConditionToken(const char** text, const char* limit) {
 
       "."? digit (digit | ".")* exponent? (letter | digit | ".")* { return token(Kind::kNumber); }
       letter (letter | digit | ".")* { return token(Kind::kName); }
+      "." letter (letter | digit | ".")*   { return token(Kind::kMember); }
       "@" [^]*             { return token(Kind::kInstant); }
 
       "||"                { return token(Kind::kOrOr); }

@@ -50,8 +50,8 @@ Result<TimedCondition> ConditionReader::Read() {
 int ConditionReader::Next(ConditionParser::semantic_type* value) {
   previous_ = last_;
   last_ = NextConditionToken(&cursor_, condition_.text_.c_str() + condition_.text_.size());
-  const bool has_value =
-      last_.kind == Token::kName || last_.kind == Token::kNumber || last_.kind == Token::kInstant;
+  const bool has_value = last_.kind == Token::kName || last_.kind == Token::kMember ||
+                         last_.kind == Token::kNumber || last_.kind == Token::kInstant;
   if (has_value) value->emplace<std::string_view>(last_.text);
   return last_.kind;
 }
@@ -87,13 +87,12 @@ bool ConditionReader::AddNumber(std::string_view digits) {
   return Read(digits, &number) && Add({.kind = Kind::kNumber, .number = number});
 }
 
-bool ConditionReader::AddName(std::string_view base, std::optional<int> index) {
-  Condition::Name name = {std::string(base), index};
-  std::vector<Condition::Name>& names = condition_.names_;
+bool ConditionReader::AddName(const std::string& name) {
+  std::vector<std::string>& names = condition_.names_;
   const auto found = std::ranges::find(names, name);
   const auto which = static_cast<uint8_t>(found - names.begin());
   if (!Add({.kind = Kind::kName, .name = which})) return false;
-  if (found == names.end()) names.push_back(std::move(name));
+  if (found == names.end()) names.push_back(name);
   return true;
 }
 
@@ -109,9 +108,10 @@ bool ConditionReader::AddNegation() {
   return true;
 }
 
-bool ConditionReader::ReadIndex(std::string_view digits, std::optional<int>* index) {
-  *index = ReadWhole<int>(digits);
-  return *index || FailAtIndex();
+bool ConditionReader::ReadIndex(std::string_view digits, int* index) {
+  const auto number = ReadWhole<int>(digits);
+  *index = number.value_or(0);
+  return number || FailAtIndex();
 }
 
 bool ConditionReader::FailAtIndex() {

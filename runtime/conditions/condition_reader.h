@@ -34,11 +34,11 @@ class ConditionReader {
   // Functions for the parser. Those that return a bool return false if parsing must end.
   int Next(ConditionParser::semantic_type* value);
   bool AddNumber(std::string_view digits);
-  bool AddName(std::string_view base, std::optional<int> index);
+  bool AddName(const std::string& name);
   bool AddOperator(Kind kind, double tolerance = 0);
   bool AddNegation();
   /// The digits in brackets.
-  bool ReadIndex(std::string_view digits, std::optional<int>* index);
+  bool ReadIndex(std::string_view digits, int* index);
   /// The number of a tolerance.
   bool Read(std::string_view digits, double* number);
   bool ReadInstant(std::string_view time);

@@ -9,6 +9,7 @@
 
 #include "base/nearest.h"
 #include "base/number.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::runtime {
 namespace {
@@ -93,31 +94,40 @@ Error UnknownName(std::string_view name, std::span<const std::string_view> candi
                    "没有名为“{0}”的量；是否为“{1}”？", name, near);
 }
 
-// A variable's slots with the names of its elements.
-Result<std::vector<Quantity>> SlotsOf(const vm::Symbol& symbol, std::string_view prefix,
-                                      std::optional<int> index, bool global, int page) {
-  Quantity quantity;
-  quantity.kind = QuantityKind::kVariable;
-  quantity.slot = {global, static_cast<uint8_t>(page), symbol.id, symbol.type};
-  quantity.name = fmt::format("{}{}", prefix, symbol.name);
-  if (symbol.array_size == 0) {
-    if (!index) return std::vector{quantity};
-    return MakeError(1, "'{0}' is not an array", "“{0}”不是数组", quantity.name);
+// A name that nothing has, with that of a similar variable.
+Error UnknownVariable(std::string_view name, std::span<const vm::Symbol> symbols) {
+  const std::string_view base = name.substr(0, std::min(name.find_first_of(".["), name.size()));
+  Nearest whole(name);
+  Nearest beginning(base);
+  for (const vm::Symbol& symbol : symbols) {
+    whole.Add(symbol.name);
+    beginning.Add(vm::NameOfVariable(symbol));
   }
-  if (index && *index >= symbol.array_size) {
-    return MakeError(1, "'{0}' has elements 0 to {1}, not {2}", "“{0}”的下标为 0 至 {1}，没有 {2}",
-                     quantity.name, symbol.array_size - 1, *index);
+  std::string meant(whole.best());
+  if (meant.empty() && !beginning.best().empty()) {
+    meant = fmt::format("{}{}", beginning.best(), name.substr(base.size()));
   }
-  std::vector<Quantity> elements;
-  const int first = index.value_or(0);
-  const int last = index.value_or(symbol.array_size - 1);
-  for (int i = first; i <= last; ++i) {
-    Quantity element = quantity;
-    element.name += fmt::format("[{}]", i);
-    element.slot.id = static_cast<uint16_t>(symbol.id + i);
-    elements.push_back(std::move(element));
+  const std::string_view only[] = {meant};
+  return UnknownName(name, only);
+}
+
+// Slots of variables, with their names.
+std::vector<Quantity> QuantitiesOf(std::span<const vm::NamedSlots> found, std::string_view prefix,
+                                   bool global, int page) {
+  std::vector<Quantity> quantities;
+  for (const vm::NamedSlots& slots : found) {
+    const vm::Symbol& symbol = *slots.symbol;
+    for (int i = slots.first; i < slots.first + slots.count; ++i) {
+      Quantity quantity;
+      quantity.kind = QuantityKind::kVariable;
+      quantity.slot = {global, static_cast<uint8_t>(page), static_cast<uint16_t>(symbol.id + i),
+                       symbol.type};
+      quantity.is_part = !slots.is_number;
+      quantity.name = fmt::format("{}{}", prefix, vm::NameOfElement(symbol, i));
+      quantities.push_back(std::move(quantity));
+    }
   }
-  return elements;
+  return quantities;
 }
 
 Result<std::vector<Quantity>> ResolveThread(std::string_view name, int thread,
@@ -144,6 +154,13 @@ Error NoProgram() {
   return MakeError(1, "no program is downloaded, so it has no variables", "尚未下载程序，没有变量");
 }
 
+// True if a name begins with a local variable of a function.
+bool HasLocal(const vm::Image& image, int function, std::string_view name) {
+  const auto found =
+      vm::FindNamed(image.object.functions[static_cast<size_t>(function)].variables, name);
+  return !found.ok() || !found.value().empty();
+}
+
 // The function whose locals are on a page.
 Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machine& machine) {
   std::vector<int> having;
@@ -151,7 +168,7 @@ Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machin
     if (thread.run == vm::ThreadRun::kUnbound) continue;
     if (thread.page == page) return int{thread.function};
     const bool known = std::find(having.begin(), having.end(), thread.function) != having.end();
-    if (!known && vm::FindLocal(*machine.image(), thread.function, variable) != nullptr) {
+    if (!known && HasLocal(*machine.image(), thread.function, variable)) {
       having.push_back(thread.function);
     }
   }
@@ -160,23 +177,21 @@ Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machin
                    "没有线程绑定到数据页 {0}，“{1}”在该页没有含义", page, variable);
 }
 
-Result<std::vector<Quantity>> ResolveLocal(int page, const IndexedName& variable,
+Result<std::vector<Quantity>> ResolveLocal(int page, std::string_view variable,
                                            const vm::Machine& machine) {
   if (page >= vm::kPageCount) {
     return MakeError(1, "'page{0}': pages are numbered 0 to {1}", "“page{0}”：数据页号为 0 至 {1}",
                      page, vm::kPageCount - 1);
   }
   if (machine.image() == nullptr) return NoProgram();
-  const auto function = FunctionOnPage(page, variable.base, machine);
+  const auto function = FunctionOnPage(page, variable, machine);
   if (!function.ok()) return function.error();
-  const vm::Symbol* symbol = vm::FindLocal(*machine.image(), function.value(), variable.base);
-  if (symbol == nullptr) {
-    std::vector<std::string_view> candidates;
-    const auto& bound = machine.image()->object.functions[static_cast<size_t>(function.value())];
-    for (const vm::Symbol& local : bound.variables) candidates.push_back(local.name);
-    return UnknownName(variable.base, candidates);
-  }
-  return SlotsOf(*symbol, fmt::format("page{}.", page), variable.index, false, page);
+  const auto& locals =
+      machine.image()->object.functions[static_cast<size_t>(function.value())].variables;
+  const auto found = vm::FindNamed(locals, variable);
+  if (!found.ok()) return found.error();
+  if (found.value().empty()) return UnknownVariable(variable, locals);
+  return QuantitiesOf(found.value(), fmt::format("page{}.", page), false, page);
 }
 
 // "thread12.result" with prefix "thread": 12 and "result".
@@ -293,19 +308,18 @@ Result<std::vector<Quantity>> ResolveWord(const WordName& word, const IndexedNam
 
 Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller) {
   const vm::Machine& machine = controller.machine();
-  const auto indexed = SplitIndex(name);
-  if (!indexed) {
+  if (!vm::IsName(name)) {
     return MakeError(1, "'{0}' is not a name; an index is a number, as in 'a[3]'",
                      "“{0}”不是名称；下标应为数字，如“a[3]”", name);
   }
-  const vm::Image* image = machine.image();
-  const vm::Symbol* symbol = image != nullptr ? vm::FindGlobal(*image, indexed->base) : nullptr;
-  if (symbol != nullptr) return SlotsOf(*symbol, "", indexed->index, true, 0);
+  const auto variable = vm::FindNamed(GlobalsOf(machine), name);
+  if (!variable.ok()) return variable.error();
+  if (!variable.value().empty()) return QuantitiesOf(variable.value(), "", true, 0);
   if (const auto thread = SplitNumbered(name, "thread")) {
     return ResolveThread(name, thread->number, thread->rest);
   }
-  if (const auto page = SplitNumbered(indexed->base, "page")) {
-    return ResolveLocal(page->number, {page->rest, indexed->index}, machine);
+  if (const auto page = SplitNumbered(name, "page")) {
+    return ResolveLocal(page->number, page->rest, machine);
   }
   const auto unnumbered = SplitUnnumbered(name);
   const auto part_name = unnumbered ? unnumbered : SplitPart(name);
@@ -316,8 +330,9 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
   }
   std::vector<std::string_view> candidates;
   for (const vm::Symbol& global : GlobalsOf(machine)) candidates.push_back(global.name);
+  const auto indexed = SplitIndex(name);
   for (const WordName& word : kWords) {
-    if (word.name == indexed->base) return ResolveWord(word, *indexed);
+    if (indexed && word.name == indexed->base) return ResolveWord(word, *indexed);
     candidates.push_back(word.name);
   }
   for (const PlainName& row : kPlainNames) {
@@ -329,16 +344,16 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
     }
     candidates.push_back(row.name);
   }
-  if (part_name && NearestName(name, candidates).empty()) return UnknownPart(name, *part_name);
-  return UnknownName(name, candidates);
+  if (!NearestName(name, candidates).empty()) return UnknownName(name, candidates);
+  if (part_name) return UnknownPart(name, *part_name);
+  return UnknownVariable(name, GlobalsOf(machine));
 }
 
 std::string NameInThread(std::string_view name, int thread, const Controller& controller) {
   const vm::Machine& machine = controller.machine();
   const vm::ThreadState& state = machine.thread(thread);
   const bool local =
-      state.run != vm::ThreadRun::kUnbound &&
-      vm::FindLocal(*machine.image(), state.function, name.substr(0, name.find('['))) != nullptr;
+      state.run != vm::ThreadRun::kUnbound && HasLocal(*machine.image(), state.function, name);
   return local ? fmt::format("page{}.{}", state.page, name) : std::string(name);
 }
 
@@ -365,12 +380,13 @@ bool IsOfProgram(QuantityKind kind) {
 }
 
 std::vector<Quantity> GlobalQuantities(const Controller& controller) {
-  std::vector<Quantity> all;
-  for (const vm::Symbol& symbol : GlobalsOf(controller.machine())) {
-    auto slots = SlotsOf(symbol, "", std::nullopt, true, 0);
-    all.insert(all.end(), slots.value().begin(), slots.value().end());
-  }
-  return all;
+  return QuantitiesOf(vm::AllInOrder(GlobalsOf(controller.machine())), "", true, 0);
+}
+
+std::vector<Quantity> LocalQuantities(int function, int page, const Controller& controller) {
+  const vm::Object& object = controller.machine().image()->object;
+  return QuantitiesOf(vm::AllInOrder(object.functions[static_cast<size_t>(function)].variables),
+                      fmt::format("page{}.", page), false, page);
 }
 
 double ReadQuantity(const Quantity& quantity, const Controller& controller) {

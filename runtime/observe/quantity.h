@@ -2,6 +2,7 @@
 // expectations of scenarios and the columns of traces.
 //
 //   sum  a[3]  trap.acc             global variables
+//   axis[2].target  m[1][2]         those of structured C (vm/symbol_names.h)
 //   page1.i  page1.a[2]             local variables on a data page
 //   thread0.result  thread0.run     the values of GT_GetThreadSts: run, result, error, line;
 //                                   and page, statements
@@ -11,7 +12,8 @@
 //                                   limit_negative alarm home gpi arrive mpg
 //   clock  statements               milliseconds since GT_Reset; statements since the download
 //
-// A global variable hides a word or `clock` of the same name.
+// A global variable hides a word or `clock` of the same name, and a structure all names that begin
+// with its name and a dot.
 // Tested by tests/runtime/scenario_names_test.cc.
 #pragma once
 
@@ -49,6 +51,7 @@ struct Quantity {
   std::string name;
   QuantityKind kind = QuantityKind::kClock;
   vm::SlotAddress slot;                ///< kVariable
+  bool is_part = false;                ///< kVariable: what was asked for is an array or a structure
   int thread = 0;                      ///< kThread...
   int word = 0;                        ///< number of the input or output word
   int bit = 0;                         ///< from 0
@@ -79,7 +82,8 @@ struct Quantity {
 
 /// Resolves a name for the controller's program and its bindings: a local belongs to the function
 /// bound to the page or, if no thread is bound to it, to the only bound function that has such a
-/// variable. The name of an array refers to all its elements. Fails for an unknown name and
+/// variable. The name of an array or a structure refers to all its elements. A variable of
+/// structured C is called as there, however it was asked for. Fails for an unknown name and
 /// suggests a similar one.
 Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller);
 
@@ -90,8 +94,11 @@ std::string NameInThread(std::string_view name, int thread, const Controller& co
 /// True for what only a program has: its variables and its threads.
 bool IsOfProgram(QuantityKind kind);
 
-/// All global variables, in the order of their declaration.
+/// All global variables, in the order of their declaration, an element of an array of structures
+/// after the other.
 std::vector<Quantity> GlobalQuantities(const Controller& controller);
+/// The same for the local variables of a function on a page.
+std::vector<Quantity> LocalQuantities(int function, int page, const Controller& controller);
 
 /// The value now. Every int and every fixed-point number is exact as a double.
 double ReadQuantity(const Quantity& quantity, const Controller& controller);

@@ -1,11 +1,10 @@
 #include "runtime/observe/step_log.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <optional>
 
 #include "runtime/observe/quantity.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::runtime {
 namespace {
@@ -101,8 +100,7 @@ std::string NameOf(const LoggedStep& step, const SlotAddress& slot, const vm::Ob
 std::string NameOfSlot(const SlotAddress& slot, int function, const vm::Object& object) {
   const vm::Symbol* symbol = SymbolOf(slot, function, object);
   if (symbol == nullptr) return {};
-  if (symbol->array_size == 0) return symbol->name;
-  return fmt::format("{}[{}]", symbol->name, slot.id - symbol->id);
+  return vm::NameOfElement(*symbol, slot.id - symbol->id);
 }
 
 std::string ValueText(const LoggedStep& step, const SlotAddress& slot, int64_t raw,

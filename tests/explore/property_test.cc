@@ -51,6 +51,33 @@ TEST_F(PropertyTest, Names) {
   EXPECT_TRUE(Holds("thread0.result == 11"));
 }
 
+// Names of structured C; `m[1]` is an element on the card.
+TEST(PropertyNames, OfStructuredC) {
+  Problem problem = ProblemOf(
+      "//@ structured\nstruct axis { int target; double gains[2]; } axis[3];\nint m[2][3];\n"
+      "//@ init: axis[2].target=6, m[0][1]=4\n"
+      "void t0() {\n  struct axis old = axis[2];\n  old.target++;\n"
+      "  axis[1].gains[1] = 2.5;\n  m[1][2] = old.target;\n}\n");
+  while (problem.model.Running(0)) problem.model.Step(0);
+  const auto read = [&problem](const char* text) -> std::string {
+    const auto property = Read<Property>(text, problem.model);
+    if (!property.ok()) return property.error().message.en;
+    return property.value().Holds(problem.model) ? "holds" : "does not hold";
+  };
+  EXPECT_EQ(read("axis[2].target == 6 && axis[1].gains[1] == 2.5"), "holds");
+  EXPECT_EQ(read("m[1][2] == 7 && m[5] == 7 && m[0][1] == 4 && m[1] == 4"), "holds");
+  EXPECT_EQ(read("axis[1].target == 6"), "does not hold");
+  EXPECT_EQ(read("page0.old.target == 7"), "holds");
+  EXPECT_EQ(read("axis[2].taget == 6"), "'axis[2]' has no member 'taget'; did you mean 'target'?");
+  EXPECT_EQ(read("axis[2] == 6"),
+            "'axis[2]' has 3 elements: write one of them, such as 'axis[2].target'");
+  EXPECT_EQ(read("axis[3].target == 6"), "'axis' has elements 0 to 2, not 3");
+  const auto in_thread = runtime::ParseCondition("old.target == 7 && axis[2].target == 6");
+  const auto property = Property::BindInThread(in_thread.value(), 0, problem.model);
+  ASSERT_TRUE(property.ok()) << property.error().message.en;
+  EXPECT_TRUE(property.value().Holds(problem.model));
+}
+
 /// Words that libraries read as numbers, and names with another meaning if there is no such global.
 class AGlobalsName : public ::testing::TestWithParam<const char*> {};
 
@@ -95,7 +122,7 @@ TEST_F(PropertyTest, ErrorsSayWhatToDo) {
   EXPECT_THAT(Error("x =="), HasSubstr("missing"));
   EXPECT_THAT(Error("x == 1 @ 5ms"), HasSubstr("only 'expect'"));
   EXPECT_THAT(Error("a == 1"), HasSubstr("3 elements"));
-  EXPECT_THAT(Error("a[3] == 1"), HasSubstr("3 elements"));
+  EXPECT_THAT(Error("a[3] == 1"), HasSubstr("elements 0 to 2"));
   EXPECT_THAT(Error("ret7 == 1"), HasSubstr("no thread 7"));
   EXPECT_THAT(Error("page0.w == 1"), HasSubstr("'w'"));
 }

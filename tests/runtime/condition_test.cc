@@ -29,7 +29,7 @@ bool HoldsHere(const Condition& condition) {
                                                         {"_n", 1},
                                                         {"word", 4294967295.0},
                                                         {"axis1.prfPos", 50000.004}};
-  return condition.Holds([&](size_t name) { return kValues.at(condition.names()[name].Text()); });
+  return condition.Holds([&](size_t name) { return kValues.at(condition.names()[name]); });
 }
 
 std::string ConditionError(const std::string& text) {
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"x == 1 ?", "'?' is not expected in 'x == 1 ?'"},
         Mistake{"x / 2 == 3", "'/' is not expected in 'x / 2 == 3'"},
         Mistake{"x & 1", "'&' is not expected in 'x & 1'"},
-        Mistake{"a[0][1] == 1", "'[' is not expected in 'a[0][1] == 1'"},
+        Mistake{"a[0](1) == 1", "'(' is not expected in 'a[0](1) == 1'"},
         Mistake{"轴 == 1", "'轴' is not expected in '轴 == 1'"},
         Mistake{"(x == 1", "')' is missing in '(x == 1'"},
         Mistake{"(x == 1 @ 3ms", "')' is missing in '(x == 1 @ 3ms'"},
@@ -223,9 +223,15 @@ TEST(ConditionInstant, IsReadWhereItIsAllowed) {
 TEST(Condition, NamesEachOnceInTheirOrder) {
   const auto condition = ParseCondition("b + a[1] == 0 || a[1] + a == b");
   ASSERT_TRUE(condition.ok());
+  EXPECT_THAT(condition.value().names(), ElementsAre("b", "a[1]", "a"));
+}
+
+TEST(Condition, NamesOfStructuredC) {
+  const auto condition =
+      ParseCondition("axis[ 2 ].target == m[1] [2] && page0.list[1].inner.y[3] > .5");
+  ASSERT_TRUE(condition.ok()) << condition.error().message.en;
   EXPECT_THAT(condition.value().names(),
-              ElementsAre(Condition::Name{"b", std::nullopt}, Condition::Name{"a", 1},
-                          Condition::Name{"a", std::nullopt}));
+              ElementsAre("axis[2].target", "m[1][2]", "page0.list[1].inner.y[3]"));
 }
 
 TEST(Condition, KnowsASimpleComparison) {

@@ -26,8 +26,8 @@ std::string WrittenName(const vm::Assert& assert, const std::string& name) {
 Message ValuesIn(const vm::Assert& assert, const CardCondition& condition,
                  const Controller& controller) {
   const auto& names = condition.condition().names();
-  return condition.DescribeValues(
-      controller, [&](size_t name) { return WrittenName(assert, names[name].Text()); });
+  return condition.DescribeValues(controller,
+                                  [&](size_t name) { return WrittenName(assert, names[name]); });
 }
 
 }  // namespace

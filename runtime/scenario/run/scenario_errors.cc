@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/observe/statement_access.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::runtime {
 namespace {
@@ -62,15 +63,21 @@ std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object
   std::vector<bool> slots;
   for (size_t i = 0; i < scenario.sync.size(); ++i) {
     const std::string& name = scenario.sync[i];
-    const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
-    if (found == object.globals.end()) {
-      errors->Add(PlaceOfText(scenario, "sync", i), MakeMessage("no global variable is named '{0}'",
-                                                                "没有名为“{0}”的全局变量", name));
+    const auto found = vm::FindNamed(object.globals, name);
+    if (!found.ok() || found.value().empty()) {
+      errors->Add(PlaceOfText(scenario, "sync", i),
+                  found.ok() ? MakeMessage("no global variable is named '{0}'",
+                                           "没有名为“{0}”的全局变量", name)
+                             : found.error().message);
       continue;
     }
-    const size_t end = size_t{found->id} + found->slots();
-    if (slots.size() < end) slots.resize(end);
-    std::fill(slots.begin() + found->id, slots.begin() + static_cast<std::ptrdiff_t>(end), true);
+    for (const vm::NamedSlots& each : found.value()) {
+      const size_t begin = size_t{each.symbol->id} + each.first;
+      const size_t end = begin + each.count;
+      if (slots.size() < end) slots.resize(end);
+      std::fill(slots.begin() + static_cast<std::ptrdiff_t>(begin),
+                slots.begin() + static_cast<std::ptrdiff_t>(end), true);
+    }
   }
   return slots;
 }

@@ -148,8 +148,9 @@ Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std
                      name, slots.value().size(), initial.values.size());
   }
   if (initial.last && slots.value().size() > 1) {
-    return MakeError(1, "'{0}' is an array: choose for one of its elements, such as '{0}[0]'",
-                     "“{0}”是数组：应为其中一个元素作选择，如“{0}[0]”", name);
+    return MakeError(1, "'{0}' is an array: choose for one of its elements, such as '{1}'",
+                     "“{0}”是数组：应为其中一个元素作选择，如“{1}”", name,
+                     slots.value().front().name);
   }
   const auto write = [&](const Quantity& slot, double value) -> Result<void> {
     if (controller->machine().Write(slot.slot, value)) return {};
