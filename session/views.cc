@@ -151,20 +151,24 @@ Json ValuesView(const std::vector<Quantity>& quantities, const RewindableRun& ru
   return values;
 }
 
-/// Variables, an array as a list.
-Json VariablesView(const std::vector<vm::Symbol>& symbols, const std::string& prefix,
+/// Variables: each number of a structure by itself, an array or a row of one as a list.
+Json VariablesView(const std::vector<Quantity>& quantities, const std::string& prefix,
                    const RewindableRun& run) {
   Json variables = Json::array();
-  for (const vm::Symbol& symbol : symbols) {
-    const std::string name = prefix + symbol.name;
-    const auto found = runtime::ResolveQuantity(name, run.controller());
-    if (!found.ok()) continue;
-    Json values = ValuesView(found.value(), run);
-    variables.push_back({{"name", symbol.name},
-                         {"path", name},
-                         {"type", vm::TypeName(symbol.type)},
-                         {"slot", symbol.id},
-                         {"value", symbol.array_size == 0 ? values.front() : values}});
+  for (const Quantity& quantity : quantities) {
+    const bool element = quantity.is_part && quantity.name.ends_with(']');
+    const std::string path =
+        quantity.name.substr(0, element ? quantity.name.rfind('[') : quantity.name.size());
+    Json value = ValueView(quantity, run);
+    if (element && !variables.empty() && variables.back()["path"] == path) {
+      variables.back()["value"].push_back(std::move(value));
+      continue;
+    }
+    variables.push_back({{"name", path.substr(prefix.size())},
+                         {"path", path},
+                         {"type", vm::TypeName(quantity.slot.type)},
+                         {"slot", quantity.slot.id},
+                         {"value", element ? Json::array({std::move(value)}) : std::move(value)}});
   }
   return variables;
 }
@@ -251,13 +255,13 @@ nlohmann::ordered_json StopView(const Stop& stop, Language language) {
 }
 
 nlohmann::ordered_json GlobalsView(const RewindableRun& run) {
-  return VariablesView(run.image().object.globals, {}, run);
+  return VariablesView(runtime::GlobalQuantities(run.controller()), {}, run);
 }
 
 nlohmann::ordered_json PageView(const RewindableRun& run, int page) {
   for (const vm::ThreadState& thread : run.machine().state().threads) {
     if (thread.run == vm::ThreadRun::kUnbound || thread.page != page) continue;
-    return VariablesView(run.image().object.functions[thread.function].variables,
+    return VariablesView(runtime::LocalQuantities(thread.function, page, run.controller()),
                          fmt::format("page{}.", page), run);
   }
   return Json::array();
@@ -302,7 +306,7 @@ Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<i
   const std::string name = thread ? runtime::NameInThread(text, *thread, controller) : text;
   auto found = runtime::ResolveQuantity(name, controller);
   if (found.ok()) {
-    const bool array = found.value().size() != 1 || found.value().front().name != name;
+    const bool array = found.value().size() != 1 || found.value().front().is_part;
     Json values = ValuesView(found.value(), run);
     return Json{{"value", array ? values : values.front()}, {"path", name}};
   }

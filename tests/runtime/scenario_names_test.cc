@@ -104,6 +104,92 @@ TEST_F(QuantityTest, ReadsValues) {
   EXPECT_EQ(ReadQuantity(ResolveQuantity("clock", controller_).value()[0], controller_), 2);
 }
 
+// --- Names of structured C -----------------------------------------------------------------------
+
+class StructuredQuantityTest : public QuantityTest {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(controller_
+                    .Load(CompileForTest(
+                        "//@ structured\n"
+                        "struct point { int x; int y; };\n"
+                        "struct axis { int target; struct point at[2]; } axis1[2];\n"
+                        "int m[2][3], v;\n"
+                        "void t0(int n) {\n  struct point axis1 = {n + 1, n * 2};\n"
+                        "  while (axis1.x < 9) axis1.x += axis1.y++;\n  v = axis1.x;\n}\n"))
+                    .ok());
+    ASSERT_EQ(controller_.machine().Bind(0, 1, 4), 0);
+  }
+};
+
+TEST_F(StructuredQuantityTest, NamesMembersAndElements) {
+  EXPECT_EQ(Names("axis1[1].at[0].y"), Texts{"axis1[1].at[0].y"});
+  EXPECT_EQ(Names("m[1][2]"), Texts{"m[1][2]"});
+  EXPECT_EQ(Names("page4.axis1.y"), Texts{"page4.axis1.y"});
+  EXPECT_EQ(Names("axis1[1]"), (Texts{"axis1[1].target", "axis1[1].at[0].x", "axis1[1].at[0].y",
+                                      "axis1[1].at[1].x", "axis1[1].at[1].y"}));
+}
+
+// The names of the lowered program are known, too, and are meant first.
+TEST_F(StructuredQuantityTest, NamesVariablesOfTheCardAsCDoes) {
+  EXPECT_EQ(Names("axis1_target[1]"), Texts{"axis1[1].target"});
+  EXPECT_EQ(Names("axis1_at_y[3]"), Texts{"axis1[1].at[1].y"});
+  EXPECT_EQ(Names("m[1]"), Texts{"m[0][1]"});
+  EXPECT_EQ(Names("m[5]"), Texts{"m[1][2]"});
+}
+
+TEST_F(StructuredQuantityTest, AStructureHidesWhatBeginsWithItsName) {
+  EXPECT_EQ(Names("axis1[0].prfPos"), Texts{"error: 'axis1[0]' has no member 'prfPos': it has "
+                                            "target, at"});
+  EXPECT_EQ(Names("axis2.prfPos"), Texts{"axis2.prfPos"});
+}
+
+TEST_F(StructuredQuantityTest, SaysWhatIsWrongWithAName) {
+  EXPECT_EQ(Names("axis1[1].targt")[0],
+            "error: 'axis1[1]' has no member 'targt'; did you mean 'target'?");
+  EXPECT_EQ(Names("axis1[2].target")[0], "error: 'axis1' has elements 0 to 1, not 2");
+  EXPECT_EQ(Names("m[0][3]")[0], "error: 'm' has elements 0 to 2, not 3");
+  EXPECT_EQ(Names("axs1[1].target")[0],
+            "error: nothing is named 'axs1[1].target'; did you mean 'axis1[1].target'?");
+}
+
+TEST_F(StructuredQuantityTest, ALocalHidesAGlobalInItsThread) {
+  EXPECT_EQ(NameInThread("axis1.x", 0, controller_), "page4.axis1.x");
+  EXPECT_EQ(NameInThread("axis1[1].target", 0, controller_), "page4.axis1[1].target");
+  EXPECT_EQ(NameInThread("m[1][2]", 0, controller_), "m[1][2]");
+}
+
+TEST_F(StructuredQuantityTest, AllGlobalsInTheOrderOfC) {
+  Texts names;
+  for (const Quantity& quantity : GlobalQuantities(controller_)) names.push_back(quantity.name);
+  ASSERT_EQ(names.size(), 17u);
+  EXPECT_EQ(names[4], "axis1[0].at[1].y");
+  EXPECT_EQ(names[5], "axis1[1].target");
+  EXPECT_EQ(names[15], "m[1][2]");
+}
+
+// Each array, and each number of a structure, has a line.
+TEST(ShownValues, AreCalledAsInC) {
+  RunOptions options;
+  options.show = {"p", "p[1].y", "p_x", "m"};
+  const ScenarioResult result = RunForTest(
+      "//@ structured\nstruct { int x; int y[2]; } p[2];\nint m[2][2];\n"
+      "void t0() { m[1][0] = 3; p[1].y[1] = 4; p[1].x = 5; }\n",
+      "globals = { \"p[0].x\" = 7, p_y = [1, 2] }\n"
+      "final = [\"p[1].y[1] == 4\", \"m[1][0] == 3\"]\nnever = [\"p[1].x == 6\"]\n",
+      options);
+  EXPECT_TRUE(result.failures.empty());
+  std::vector<std::string> lines;
+  for (const ShownValue& value : result.values) {
+    std::string line = value.name + (value.array ? " []" : "");
+    for (const std::string& element : value.elements) line += " " + element;
+    lines.push_back(line);
+  }
+  EXPECT_EQ(lines,
+            (std::vector<std::string>{"p[0].x 7", "p[0].y [] 1 2", "p[1].x 5", "p[1].y [] 0 4",
+                                      "p[1].y [] 0 4", "p[0].x 7", "p[1].x 5", "m [] 0 0 3 0"}));
+}
+
 TEST(FormatNumber, GivesTheExactValue) {
   EXPECT_EQ(FormatNumber(5050, NumberForm::kWhole), "5050");
   EXPECT_EQ(FormatNumber(-1, NumberForm::kWhole), "-1");

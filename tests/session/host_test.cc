@@ -129,6 +129,29 @@ TEST_F(HostTest, ReadsStructuredCAndItsIncludes) {
   EXPECT_THAT(Result("record")["scenario"].get<std::string>(), HasSubstr("structured = true"));
 }
 
+// Values and changes have the names of C.
+TEST_F(HostTest, NamesVariablesAsStructuredCDoes) {
+  Load(
+      "//@ structured\nstruct axis { int target; double gains[2]; } axis[2];\nint m[2][3];\n"
+      "void f() {\n  struct axis old = {2, {0.5}};\n  axis[1] = old;\n  m[1][2] = old.target;\n"
+      "}\n");
+  Result("forward", {{"goal", "stop"}});
+  std::vector<std::string> globals;
+  for (const Json& variable : Result("variables")) {
+    globals.push_back(variable["path"].get<std::string>() + " " + variable["value"].dump());
+  }
+  EXPECT_EQ(globals, (std::vector<std::string>{"axis[0].target 0", "axis[0].gains [0.0,0.0]",
+                                               "axis[1].target 2", "axis[1].gains [0.5,0.0]",
+                                               "m[0] [0,0,0]", "m[1] [0,0,2]"}));
+  const Json local = Result("variables", {{"page", 0}})[0];
+  EXPECT_EQ(local["name"], "old.gains");
+  EXPECT_EQ(local["path"], "page0.old.gains");
+  EXPECT_EQ(Result("evaluate", {{"text", "axis[1].target"}})["value"], 2);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis_target[1]"}})["value"], 2);
+  EXPECT_EQ(Result("evaluate", {{"text", "axis[1].gains"}})["value"], Json({0.5, 0.0}));
+  EXPECT_EQ(Result("evaluate", {{"text", "m[1][2] == 2 && axis[1].target == 2"}})["holds"], true);
+}
+
 TEST_F(HostTest, AProgramWithErrorsIsNotLoaded) {
   Load(kRace);
   const Json result =

@@ -105,19 +105,31 @@ class ScenarioRunner {
   }
 
   void FindShown() {
-    if (options_.show.empty()) {
-      for (const vm::Symbol& symbol : image().object.globals) shown_.push_back(symbol.name);
-    } else {
-      shown_ = options_.show;
-    }
-    for (const std::string& name : shown_) {
+    if (options_.show.empty()) AddShown({}, GlobalQuantities(controller_));
+    for (const std::string& name : options_.show) {
       if (!errors_.CanJudge(name)) continue;
       auto quantities = ResolveQuantity(name, controller_);
       if (quantities.ok()) {
-        shown_quantities_.push_back(std::move(quantities).value());
+        AddShown(name, std::move(quantities).value());
       } else {
         errors_.Add({}, quantities.error().message);
       }
+    }
+  }
+
+  // Each array and each number of a structure has a value of its own; a number is called as it was
+  // asked for.
+  void AddShown(const std::string& asked, std::vector<Quantity> quantities) {
+    bool first = true;
+    for (Quantity& quantity : quantities) {
+      std::string name = quantity.is_part || asked.empty() ? quantity.name : asked;
+      while (quantity.is_part && name.ends_with(']')) name.resize(name.rfind('['));
+      if (first || shown_.back() != name) {
+        shown_.push_back(std::move(name));
+        shown_quantities_.emplace_back();
+      }
+      first = false;
+      shown_quantities_.back().push_back(std::move(quantity));
     }
   }
 
@@ -278,7 +290,7 @@ class ScenarioRunner {
       ShownValue value;
       value.name = shown_[i];
       for (const Quantity& quantity : shown_quantities_[i]) {
-        value.array = quantity.name != shown_[i];
+        value.array = quantity.is_part && quantity.name != shown_[i];
         if (quantity.axis_unit.named()) value.unit = quantity.axis_unit.NameOf(quantity.measure());
         value.elements.push_back(FormatNumber(ReadQuantity(quantity, controller_),
                                               FormOfQuantity(quantity, controller_)));
