@@ -48,6 +48,12 @@ std::string_view KindName(Symbol::Kind kind) {
       return "constant";
     case Symbol::Kind::kEnumeration:
       return "enum";
+    case Symbol::Kind::kStructure:
+      return "struct";
+    case Symbol::Kind::kType:
+      return "typedef";
+    case Symbol::Kind::kMember:
+      return "member";
     case Symbol::Kind::kCommand:
       break;
   }
@@ -86,6 +92,10 @@ std::string Declaration(const Analysis& analysis, const Symbol& symbol) {
                  : fmt::format("{} = {}", symbol.name, Spell(analysis.text, symbol.value));
     case Symbol::Kind::kEnumeration:
       return fmt::format("enum {}", symbol.name);
+    case Symbol::Kind::kStructure:
+      return fmt::format("struct {}", symbol.name);
+    case Symbol::Kind::kType:  // whose words begin with `typedef`
+    case Symbol::Kind::kMember:
     case Symbol::Kind::kFunction:
       return fmt::format("{}{}{}{}", symbol.type, star, symbol.name, symbol.suffix);
     case Symbol::Kind::kGlobal:

@@ -29,7 +29,8 @@ constexpr std::string_view kCardTypes[] = {"int", "double", "long", "short"};
 constexpr std::string_view kStructuredTypes[] = {"int",  "double",   "long", "short",
                                                  "char", "unsigned", "bool"};
 constexpr std::string_view kVoid[] = {"void"};
-constexpr std::string_view kStructuredSpecifiers[] = {"const", "static", "enum"};
+constexpr std::string_view kStructuredSpecifiers[] = {"const", "static", "enum", "struct",
+                                                      "typedef"};
 constexpr std::string_view kCardDirectives[] = {"define", "include"};
 constexpr std::string_view kStructuredDirectives[] = {"define", "undef",  "include", "if",
                                                       "ifdef",  "ifndef", "elif",    "else",
@@ -74,6 +75,7 @@ class Completion {
   void InDirective(const Directive& directive);
   void AfterDot();
   void Labels();
+  void Structures();
   void AtFileLevel();
   void Statement();
   void Expression(const gtcalls::Parameter* parameter);
@@ -197,6 +199,10 @@ void Completion::Types() {
   for (const gtcalls::Structure& structure : analysis_.text.catalogue().structures()) {
     if (structure.in_motion_program) AddWords("type", {&structure.name, 1});
   }
+  for (const int index : analysis_.names.VisibleAt(order_)) {
+    const Symbol& symbol = analysis_.names.symbol(index);
+    if (symbol.kind == Symbol::Kind::kType) AddSymbol(symbol, false);
+  }
 }
 
 void Completion::InDirective(const Directive& directive) {
@@ -214,9 +220,14 @@ void Completion::InDirective(const Directive& directive) {
 }
 
 void Completion::AfterDot() {
-  const gtcalls::Structure* structure = StructureBefore(analysis_, cursor_.file, next_ - 1);
-  if (structure == nullptr) return;
-  for (const gtcalls::Member& member : structure->members) {
+  const Symbol* const operand = OperandBefore(analysis_, cursor_.file, next_ - 1);
+  if (operand == nullptr) return;
+  for (const Symbol& symbol : analysis_.names.symbols()) {
+    const bool member = symbol.kind == Symbol::Kind::kMember && symbol.scope == operand->members;
+    if (member) AddSymbol(symbol, false);
+  }
+  if (operand->structure == nullptr) return;
+  for (const gtcalls::Member& member : operand->structure->members) {
     items_.push_back(
         {{"label", member.name},
          {"kind", "member"},
@@ -231,6 +242,15 @@ void Completion::Labels() {
         symbol.kind == Symbol::Kind::kLabel && analysis_.names.FindLabel(symbol.name, scope) >= 0 &&
         &analysis_.names.symbol(analysis_.names.FindLabel(symbol.name, scope)) == &symbol;
     if (here) AddSymbol(symbol, false);
+  }
+}
+
+void Completion::Structures() {
+  const int scope = analysis_.names.ScopeAt(order_);
+  for (const Symbol& symbol : analysis_.names.symbols()) {
+    if (symbol.kind != Symbol::Kind::kStructure) continue;
+    const int found = analysis_.names.FindStructure(symbol.name, scope, order_);
+    if (found >= 0 && &analysis_.names.symbol(found) == &symbol) AddSymbol(symbol, false);
   }
 }
 
@@ -254,7 +274,7 @@ void Completion::Symbols(const gtcalls::Parameter* parameter) {
   for (const int index : analysis_.names.VisibleAt(order_)) {
     const Symbol& symbol = analysis_.names.symbol(index);
     const bool function = symbol.kind == Symbol::Kind::kFunction;
-    if (symbol.kind == Symbol::Kind::kEnumeration) continue;
+    if (symbol.kind == Symbol::Kind::kEnumeration || symbol.kind == Symbol::Kind::kType) continue;
     if (function && (!analysis_.text.structured() || pointer)) continue;
     const bool variable = symbol.kind == Symbol::Kind::kGlobal ||
                           symbol.kind == Symbol::Kind::kLocal ||
@@ -331,6 +351,8 @@ Json Completion::Run() {
       AfterDot();
     } else if (before == Kind::kGoto) {
       Labels();
+    } else if (before == Kind::kStruct) {
+      Structures();
     } else if (compiler::IsTypeWord(before) || before == Kind::kEnum) {
       const bool open = before == Kind::kConst || before == Kind::kStatic ||
                         before == Kind::kUnsigned || before == Kind::kSigned ||

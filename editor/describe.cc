@@ -8,6 +8,7 @@
 #include "compiler/parser.hh"
 #include "editor/command_help.h"
 #include "vm/fixed_point.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::editor {
 namespace {
@@ -42,6 +43,12 @@ Message KindText(const Analysis& analysis, const Symbol& symbol) {
       return MakeMessage("constant of an enum", "枚举常量");
     case Symbol::Kind::kEnumeration:
       return MakeMessage("enum", "枚举");
+    case Symbol::Kind::kStructure:
+      return MakeMessage("structure", "结构");
+    case Symbol::Kind::kType:
+      return MakeMessage("name of a type", "类型名称");
+    case Symbol::Kind::kMember:
+      return MakeMessage("member of a structure", "结构的成员");
     case Symbol::Kind::kCommand:
       break;
   }
@@ -106,12 +113,39 @@ const Token* MemberAt(const Analysis& analysis, Cursor cursor, const gtcalls::Me
   const bool is_member = at >= 2 && at < tokens.size() && tokens[at].kind == Kind::kName &&
                          tokens[at - 1].kind == Kind::kDot;
   if (!is_member || tokens[at].range.begin > cursor.offset) return nullptr;
-  const gtcalls::Structure* structure = StructureBefore(analysis, cursor.file, at - 1);
+  const Symbol* const operand = OperandBefore(analysis, cursor.file, at - 1);
+  const gtcalls::Structure* const structure = operand != nullptr ? operand->structure : nullptr;
   if (structure == nullptr) return nullptr;
   const auto found = std::ranges::find(structure->members, tokens[at].text, &gtcalls::Member::name);
   if (found == structure->members.end()) return nullptr;
   *member = &*found;
   return &tokens[at];
+}
+
+// The bracket that a closing one belongs to; empty for another token.
+std::optional<size_t> OpeningOf(const std::vector<Token>& tokens, size_t close) {
+  int depth = 0;
+  for (size_t at = close + 1; at-- > 0;) {
+    const int kind = tokens[at].kind;
+    if (kind == Kind::kSemicolon || kind == Kind::kOpenBrace || kind == Kind::kCloseBrace) break;
+    if (kind == Kind::kCloseBracket || kind == Kind::kCloseParen) ++depth;
+    if (kind == Kind::kOpenBracket || kind == Kind::kOpenParen) --depth;
+    if (depth == 0) return at == close ? std::nullopt : std::optional(at);
+  }
+  return std::nullopt;
+}
+
+// The members of a structure or of a type that is one, as they are declared.
+std::string MembersText(const Analysis& analysis, const Symbol& symbol) {
+  const bool type = symbol.kind == Symbol::Kind::kStructure || symbol.kind == Symbol::Kind::kType;
+  if (!type || symbol.members < 0) return {};
+  std::string text = " {\n";
+  for (const Symbol& member : analysis.names.symbols()) {
+    if (member.kind == Symbol::Kind::kMember && member.scope == symbol.members) {
+      text += fmt::format("  {};\n", Declaration(analysis, member));
+    }
+  }
+  return text + "}";
 }
 
 Json DescribeSymbol(const Analysis& analysis, int index, const vm::Object* object,
@@ -133,7 +167,8 @@ Json DescribeSymbol(const Analysis& analysis, int index, const vm::Object* objec
     return json;
   }
   const Message kind = KindText(analysis, symbol);
-  std::string text = CodeBlock(Declaration(analysis, symbol)) + kind.In(language);
+  std::string text =
+      CodeBlock(Declaration(analysis, symbol) + MembersText(analysis, symbol)) + kind.In(language);
   if (symbol.function >= 0 && symbol.kind != Symbol::Kind::kMacro) {
     const std::string_view function = analysis.names.symbol(symbol.function).name;
     json["function"] = function;
@@ -167,11 +202,21 @@ bool IsThreadFunction(const ProgramText& text, const Symbol& function) {
   return !function.called && function.type.find("static") == std::string_view::npos;
 }
 
-const gtcalls::Structure* StructureBefore(const Analysis& analysis, int file, size_t dot) {
+const Symbol* OperandBefore(const Analysis& analysis, int file, size_t dot) {
   const std::vector<Token>& tokens = analysis.text.file(file).tokens;
-  if (dot == 0 || dot > tokens.size()) return nullptr;
-  const Reference* variable = analysis.names.At(file, tokens[dot - 1].range.begin);
-  return variable == nullptr ? nullptr : analysis.names.symbol(variable->symbol).structure;
+  for (size_t at = std::min(dot, tokens.size()); at-- > 0;) {
+    if (tokens[at].kind == Kind::kName) {
+      const Reference* const found = analysis.names.At(file, tokens[at].range.begin);
+      return found == nullptr ? nullptr : &analysis.names.symbol(found->symbol);
+    }
+    const std::optional<size_t> open = OpeningOf(tokens, at);
+    if (!open) return nullptr;
+    // What is in parentheses is meant, as in `(*p).x`, unless they belong to a call.
+    const bool inside = tokens[at].kind == Kind::kCloseParen &&
+                        (*open == 0 || tokens[*open - 1].kind != Kind::kName);
+    if (!inside) at = *open;
+  }
+  return nullptr;
 }
 
 std::map<int, int> SlotsOf(const Analysis& analysis, const vm::Object& object) {
@@ -180,8 +225,7 @@ std::map<int, int> SlotsOf(const Analysis& analysis, const vm::Object& object) {
   const auto add = [&known](std::string_view function, const std::vector<vm::Symbol>& symbols) {
     for (const vm::Symbol& each : symbols) {
       // The members of a structure follow each other.
-      const std::string_view name = each.name;
-      known.try_emplace({function, name.substr(0, name.find('.'))}, each.id);
+      known.try_emplace({function, vm::NameOfVariable(each)}, each.id);
     }
   };
   add({}, object.globals);

@@ -28,9 +28,9 @@ CallAt FindCall(const Analysis& analysis, Cursor cursor);
 /// Whether threads begin with a function: in structured C those that no other one calls.
 bool IsThreadFunction(const ProgramText& text, const Symbol& function);
 
-/// The structure whose member the token after a `.` names; `dot` is the index of that `.` in the
-/// tokens of the file. nullptr if it is none.
-const gtcalls::Structure* StructureBefore(const Analysis& analysis, int file, size_t dot);
+/// What has the member that is named behind a `.` or `->`, as `a` of `a[i].x`, `m` of `a.m.x` and
+/// `f` of `f().x`; `dot` is the index of that token in the file. nullptr if nothing known is there.
+const Symbol* OperandBefore(const Analysis& analysis, int file, size_t dot);
 
 /// The slots of variables in their data page or among the globals, by symbol; those of blocks that
 /// share a name are missing, and so are those that the program does not need.

@@ -39,7 +39,9 @@ bool BeginsWithKeyword(int kind) {
          kind == Kind::kContinue;
 }
 
-bool IsType(int kind) { return compiler::IsTypeWord(kind) || kind == Kind::kEnum; }
+bool IsType(int kind) {
+  return compiler::IsTypeWord(kind) || kind == Kind::kEnum || kind == Kind::kStruct;
+}
 
 }  // namespace
 
@@ -63,6 +65,17 @@ void NameScanner::Run() {
 
 int NameScanner::KindAt(size_t at) const {
   return at < code_.size() ? code_[at].kind : static_cast<int>(Kind::kEnd);
+}
+
+// Whether a type stands here: its words, or a name of a typedef before what it declares.
+bool NameScanner::BeginsType(size_t at) const {
+  if (IsType(KindAt(at))) return true;
+  if (KindAt(at) != Kind::kName) return false;
+  size_t next = at + 1;
+  while (KindAt(next) == Kind::kStar) ++next;
+  if (KindAt(next) != Kind::kName) return false;
+  const int found = names_.Find(code_[at].text, open_.back().scope, at);
+  return found >= 0 && names_.symbol(found).kind == Symbol::Kind::kType;
 }
 
 void NameScanner::MatchBrackets() {
@@ -172,7 +185,9 @@ int NameScanner::Declare(Symbol::Kind kind, const Token& name, int scope, Declar
   if (kind == Symbol::Kind::kMacro) {
     index = names_.macros_.try_emplace(name.text, index).first->second;
   } else {
-    auto& known = kind == Symbol::Kind::kLabel ? names_.labels_ : names_.by_name_;
+    auto& known = kind == Symbol::Kind::kLabel       ? names_.labels_
+                  : kind == Symbol::Kind::kStructure ? names_.structures_
+                                                     : names_.by_name_;
     index = known.try_emplace({scope, name.text}, index).first->second;
   }
   if (index == static_cast<int>(names_.symbols_.size())) {
@@ -237,24 +252,107 @@ NameScanner::Type NameScanner::ScanType() {
   Type type;
   type.begin = at_;
   size_t last = at_;
-  while (IsType(KindAt(at_))) {
+  bool named = false;  // what follows a name of a typedef is declared
+  while (IsType(KindAt(at_)) || (!named && BeginsType(at_))) {
     const Token& word = code_[at_];
     type.is_const |= word.kind == Kind::kConst;
     type.external |= word.kind == Kind::kExtern;
+    type.is_typedef |= word.kind == Kind::kTypedef;
     if (word.kind == Kind::kStructureName) {
       type.structure = text_.catalogue().FindStructure(word.text);
     }
+    if (word.kind == Kind::kName) {
+      const Symbol& symbol = names_.symbol(names_.Find(word.text, open_.back().scope, at_));
+      type.structure = symbol.structure;
+      type.members = symbol.members;
+      uses_.push_back({at_, open_.back().scope, Use::Kind::kPlain, Access::kRead});
+    }
+    named |= compiler::NamesType(word.kind) || word.kind == Kind::kName ||
+             word.kind == Kind::kEnum || word.kind == Kind::kStruct;
     last = at_++;
+    if (word.kind == Kind::kStruct) ScanStructureName(&type, &last);
     if (word.kind != Kind::kEnum) continue;
     if (KindAt(at_) == Kind::kName) last = at_++;
     if (KindAt(at_) == Kind::kOpenBrace) {
       ScanEnumeration(last);
     } else if (code_[last].kind == Kind::kName) {
-      uses_.push_back({last, open_.back().scope, false, Access::kRead});
+      uses_.push_back({last, open_.back().scope, Use::Kind::kPlain, Access::kRead});
     }
   }
   type.text = text_.TextOf(RangeOf(type.begin, last + 1));
   return type;
+}
+
+// What follows `struct`: its name, its members, or both.
+void NameScanner::ScanStructureName(Type* type, size_t* last) {
+  if (KindAt(at_) == Kind::kName) *last = at_++;
+  if (KindAt(at_) == Kind::kOpenBrace) {
+    type->members = ScanMembers(*last);
+    return;
+  }
+  if (code_[*last].kind != Kind::kName) return;
+  const int found = names_.FindStructure(code_[*last].text, open_.back().scope, *last);
+  if (found < 0) return;
+  type->members = names_.symbol(found).members;
+  AddReference(code_[*last], found, Access::kRead);
+}
+
+// The members of a structure; `last` is the token before the brace. Gives their scope.
+int NameScanner::ScanMembers(size_t last) {
+  const size_t close = std::min(match_[at_], code_.size());
+  const int outer = open_.back().scope;
+  Scope scope;
+  scope.parent = outer;
+  scope.function = names_.scopes_[static_cast<size_t>(outer)].function;
+  scope.begin = scope.end = at_;
+  const int members = static_cast<int>(names_.scopes_.size());
+  names_.scopes_.push_back(scope);
+  if (code_[last].kind == Kind::kName) {
+    const int index =
+        Declare(Symbol::Kind::kStructure, code_[last], outer,
+                {{}, RangeOf(last - 1, std::min(close + 1, code_.size())), last, true});
+    names_.symbols_[static_cast<size_t>(index)].members = members;
+  }
+  ++at_;
+  while (at_ < close) {
+    if (!BeginsType(at_)) {
+      ++at_;
+      continue;
+    }
+    const size_t begin = at_;
+    const Type type = ScanType();
+    if (KindAt(at_) == Kind::kName && KindAt(at_ + 1) == Kind::kOpenParen) {
+      // A function: the `}` before it is missing.
+      at_ = begin;
+      return members;
+    }
+    ScanMember(type, members);
+    while (at_ < close && KindAt(at_) == Kind::kComma) {
+      ++at_;
+      ScanMember(type, members);
+    }
+  }
+  at_ = std::min(close + 1, code_.size());
+  return members;
+}
+
+void NameScanner::ScanMember(const Type& type, int members) {
+  bool pointer = false;
+  for (; KindAt(at_) == Kind::kStar; ++at_) pointer = true;
+  if (KindAt(at_) != Kind::kName) return;
+  const size_t name = at_++;
+  const int index = Declare(Symbol::Kind::kMember, code_[name], members,
+                            {{}, RangeOf(name, name + 1), name, true});
+  const size_t dimensions = at_;
+  ScanDimensions();
+  Symbol& symbol = names_.symbols_[static_cast<size_t>(index)];
+  symbol.declarations.back().whole = RangeOf(name, at_);
+  symbol.type = type.text;
+  symbol.pointer = pointer;
+  symbol.is_const = type.is_const;
+  symbol.structure = type.structure;
+  symbol.members = type.members;
+  if (at_ > dimensions) symbol.suffix = text_.TextOf(RangeOf(dimensions, at_));
 }
 
 // The constants of an enum; `last` is the token before the brace.
@@ -303,8 +401,10 @@ bool NameScanner::ScanDeclarator(const Type& type, bool first) {
     return false;
   }
   const int scope = open_.back().scope;
-  const int index = Declare(scope == 0 ? Symbol::Kind::kGlobal : Symbol::Kind::kLocal, code_[name],
-                            scope, {{}, {}, name, !type.external});
+  const Symbol::Kind kind = type.is_typedef ? Symbol::Kind::kType
+                            : scope == 0    ? Symbol::Kind::kGlobal
+                                            : Symbol::Kind::kLocal;
+  const int index = Declare(kind, code_[name], scope, {{}, {}, name, !type.external});
   const size_t dimensions = at_;
   ScanDimensions();
   const size_t head = at_;
@@ -317,6 +417,7 @@ bool NameScanner::ScanDeclarator(const Type& type, bool first) {
   symbol.pointer = pointer;
   symbol.is_const = type.is_const;
   symbol.structure = type.structure;
+  symbol.members = type.members;
   if (!value.empty()) symbol.value = std::move(value);
   return true;
 }
@@ -370,6 +471,7 @@ void NameScanner::ScanFunction(const Type& type, bool pointer, size_t name) {
   if (body || !known) {
     function.type = type.text;
     function.pointer = pointer;
+    function.members = type.members;
     function.has_parameters = true;
     function.parameters.clear();
     const size_t after = KindAt(close) == Kind::kCloseParen ? close + 1 : close;
@@ -383,7 +485,7 @@ void NameScanner::ScanFunction(const Type& type, bool pointer, size_t name) {
 // The parameters up to `close`; those of `function` if it is not -1.
 void NameScanner::ScanParameters(int function, size_t close) {
   while (at_ < close) {
-    if (!IsType(KindAt(at_))) {
+    if (!BeginsType(at_)) {
       ++at_;
       continue;
     }
@@ -399,6 +501,7 @@ void NameScanner::ScanParameters(int function, size_t close) {
     Symbol& symbol = names_.symbols_[static_cast<size_t>(index)];
     symbol.type = type.text;
     symbol.structure = type.structure;
+    symbol.members = type.members;
     symbol.is_const = type.is_const;
     symbol.pointer = pointer;
     if (at_ > dimensions) symbol.suffix = text_.TextOf(RangeOf(dimensions, at_));
@@ -443,19 +546,24 @@ void NameScanner::ScanToken() {
           (code_[at_].on_new_line && KindAt(at_ + 1) == Kind::kColon)) {
         return;
       }
-      uses_.push_back({at_, open_.back().scope, true, Access::kRead});
+      uses_.push_back({at_, open_.back().scope, Use::Kind::kLabel, Access::kRead});
       ++at_;
       return;
     default:
       break;
   }
-  if (IsType(token.kind) && BeginsDeclaration()) {
+  if (BeginsType(at_) && BeginsDeclaration()) {
     calls_.clear();
     ScanDeclaration();
     return;
   }
   if (IsType(token.kind)) {
     ++at_;
+    if (token.kind == Kind::kStruct && KindAt(at_) == Kind::kName) {
+      const int found = names_.FindStructure(code_[at_].text, open_.back().scope, at_);
+      if (found >= 0) AddReference(code_[at_], found, Access::kRead);
+      ++at_;
+    }
     return;
   }
   const bool label = token.kind == Kind::kName && KindAt(at_ + 1) == Kind::kColon &&
@@ -481,10 +589,10 @@ void NameScanner::ScanName() {
     if (!calls_.empty()) ++calls_.back().argument;
   } else if (token.kind == Kind::kName) {
     const int before = at_ > 0 ? code_[at_ - 1].kind : static_cast<int>(Kind::kEnd);
-    if (before != Kind::kDot && before != Kind::kArrow) {
-      const Call* call = calls_.empty() ? nullptr : &calls_.back();
-      uses_.push_back({at_, open_.back().scope, false, AccessOf(code_, at_, call)});
-    }
+    const bool member = before == Kind::kDot || before == Kind::kArrow;
+    const Call* call = calls_.empty() ? nullptr : &calls_.back();
+    uses_.push_back({at_, open_.back().scope, member ? Use::Kind::kMember : Use::Kind::kPlain,
+                     AccessOf(code_, at_, call)});
   }
   ++at_;
 }
@@ -553,13 +661,34 @@ int NameScanner::CommandOf(std::string_view name) {
   return entry->second;
 }
 
+// The scope of the members of what stands before a `.` or `->`, as in `a[i]`, `f(x)`, `(*p)`; -1 if
+// that is no structure of the program.
+int NameScanner::MembersBefore(size_t dot) const {
+  for (size_t at = dot; at-- > 0;) {
+    const int kind = code_[at].kind;
+    if (kind == Kind::kName) {
+      const auto found = meanings_.find(at);
+      return found == meanings_.end() ? -1 : names_.symbol(found->second).members;
+    }
+    const bool closes = kind == Kind::kCloseBracket || kind == Kind::kCloseParen;
+    if (!closes || match_[at] >= at) return -1;
+    const size_t open = match_[at];
+    const bool inside = kind == Kind::kCloseParen && (open == 0 || KindAt(open - 1) != Kind::kName);
+    if (!inside) at = open;
+  }
+  return -1;
+}
+
 void NameScanner::ResolveUses() {
   for (const Use& use : uses_) {
     const Token& token = code_[use.order];
-    int symbol = use.label ? names_.FindLabel(token.text, use.scope)
-                           : names_.Find(token.text, use.scope, use.order);
-    if (symbol < 0 && !use.label) symbol = CommandOf(token.text);
+    int symbol = use.kind == Use::Kind::kLabel ? names_.FindLabel(token.text, use.scope)
+                 : use.kind == Use::Kind::kMember
+                     ? names_.FindMember(token.text, MembersBefore(use.order - 1))
+                     : names_.Find(token.text, use.scope, use.order);
+    if (symbol < 0 && use.kind == Use::Kind::kPlain) symbol = CommandOf(token.text);
     if (symbol < 0) continue;
+    meanings_[use.order] = symbol;
     const Symbol& found = names_.symbol(symbol);
     if (found.kind == Symbol::Kind::kMacro) {
       places_[symbol].try_emplace(use.scope, use.order);

@@ -26,7 +26,8 @@ class NameScanner {
   struct Use {
     size_t order = 0;
     int scope = 0;
-    bool label = false;
+    enum class Kind : uint8_t { kPlain, kLabel, kMember };
+    Kind kind = Kind::kPlain;
     Reference::Access access = Reference::Access::kRead;
   };
   // A parenthesis that is open, with the command before it.
@@ -38,8 +39,10 @@ class NameScanner {
   struct Type {
     std::string_view text;
     const gtcalls::Structure* structure = nullptr;
+    int members = -1;
     bool is_const = false;
     bool external = false;
+    bool is_typedef = false;
     size_t begin = 0;
   };
   struct Open {
@@ -49,6 +52,7 @@ class NameScanner {
   };
 
   int KindAt(size_t at) const;
+  bool BeginsType(size_t at) const;
   void MatchBrackets();
   size_t StatementEnd(size_t at, int depth) const;
   bool BeginsDeclaration() const;
@@ -60,7 +64,10 @@ class NameScanner {
   void ScanName();
   void ScanDeclaration();
   Type ScanType();
-  void ScanEnumeration(size_t keyword);
+  void ScanEnumeration(size_t last);
+  void ScanStructureName(Type* type, size_t* last);
+  int ScanMembers(size_t last);
+  void ScanMember(const Type& type, int members);
   bool ScanDeclarator(const Type& type, bool first);
   void ScanDimensions();
   void ScanInitialiser(std::vector<Token>* value);
@@ -77,6 +84,7 @@ class NameScanner {
   compiler::SourceRange RangeOf(size_t begin, size_t end) const;
 
   void ResolveUses();
+  int MembersBefore(size_t dot) const;
   void ResolveBodies();
   void ResolveBody(int macro);
   void ResolveConditions();
@@ -92,6 +100,7 @@ class NameScanner {
   std::vector<Open> open_;
   std::vector<Call> calls_;
   std::vector<Use> uses_;
+  std::map<size_t, int> meanings_;  // symbols of uses by the index of the token
   std::map<std::string_view, int> commands_;
   // For each macro the scopes in which it is used, with one place in each.
   std::map<int, std::map<int, size_t>> places_;

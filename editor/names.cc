@@ -77,6 +77,20 @@ int Names::Find(std::string_view name, int scope, size_t order) const {
   return -1;
 }
 
+int Names::FindStructure(std::string_view name, int scope, size_t order) const {
+  for (; scope >= 0; scope = scopes_[static_cast<size_t>(scope)].parent) {
+    const auto found = structures_.find({scope, name});
+    if (found == structures_.end()) continue;
+    if (symbol(found->second).declarations.front().order <= order) return found->second;
+  }
+  return -1;
+}
+
+int Names::FindMember(std::string_view name, int members) const {
+  const auto found = by_name_.find({members, name});
+  return members <= 0 || found == by_name_.end() ? -1 : found->second;
+}
+
 int Names::FindLabel(std::string_view name, int scope) const {
   const auto found = labels_.find({FunctionScope(scope), name});
   return found == labels_.end() ? -1 : found->second;

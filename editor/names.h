@@ -29,7 +29,10 @@ struct Symbol {
     kMacroParameter,
     kConstant,     ///< of an enum
     kEnumeration,  ///< the name of an enum
-    kCommand
+    kStructure,    ///< the name of a struct
+    kType,         ///< of a typedef
+    kCommand,
+    kMember  ///< of a structure of the program
   };
   struct Declaration {
     compiler::SourceRange name;
@@ -55,6 +58,9 @@ struct Symbol {
   bool has_parameters = false;
   bool called = false;
   const gtcalls::Structure* structure = nullptr;  ///< the type of a variable
+  /// The scope of the members of the structure that it is or has: a variable, a member, a function,
+  /// the name of a type; -1 for others.
+  int members = -1;
   const gtcalls::Command* command = nullptr;
   int function = -1;  ///< the function that contains it, or -1
 };
@@ -72,7 +78,8 @@ struct Reference {
   Access access = Access::kRead;
 };
 
-/// The text in which the names of a scope are known. Scope 0 is the program.
+/// The text in which the names of a scope are known. Scope 0 is the program; that of the members of
+/// a structure has no text.
 struct Scope {
   int parent = -1;
   int function = -1;  ///< symbol
@@ -101,6 +108,10 @@ class Names {
   int ScopeAt(size_t order) const;
   /// The innermost symbol other than a label that a name refers to at a place, -1 if there is none.
   int Find(std::string_view name, int scope, size_t order) const;
+  /// The structure that `struct name` refers to at a place, -1 if there is none.
+  int FindStructure(std::string_view name, int scope, size_t order) const;
+  /// A member of a structure, by the scope of its members, or -1.
+  int FindMember(std::string_view name, int members) const;
   /// The label of the function around a scope, or -1.
   int FindLabel(std::string_view name, int scope) const;
   /// All symbols that can be used at a place, without labels and commands; each name once.
@@ -124,6 +135,7 @@ class Names {
   using Key = std::pair<int, std::string_view>;  // scope and name
   std::map<Key, int> by_name_;
   std::map<Key, int> labels_;
+  std::map<Key, int> structures_;
   std::map<std::string_view, int> macros_;
   std::map<std::string_view, std::vector<MacroEvent>> macro_events_;
 };

@@ -230,10 +230,12 @@ Json Outline(const Analysis& analysis, int file) {
   const std::deque<Symbol>& symbols = analysis.names.symbols();
   Json entries = Json::array();
   std::map<int, size_t> entry_of_function;
+  std::map<int, size_t> entry_of_members;  // by their scope; the first that has them
   const auto is_top = [](const Symbol& symbol) {
     using enum Symbol::Kind;
     return symbol.kind == kFunction || symbol.kind == kGlobal || symbol.kind == kMacro ||
-           symbol.kind == kEnumeration || symbol.kind == kConstant;
+           symbol.kind == kEnumeration || symbol.kind == kConstant || symbol.kind == kStructure ||
+           symbol.kind == kType;
   };
   struct Entry {
     int symbol;
@@ -254,12 +256,20 @@ Json Outline(const Analysis& analysis, int file) {
       if (symbol.kind == Symbol::Kind::kFunction && declaration->definition) {
         entry_of_function[index] = entries.size();
       }
+      if (symbol.members >= 0 && symbol.kind != Symbol::Kind::kFunction) {
+        entry_of_members.try_emplace(symbol.members, entries.size());
+      }
       entries.push_back(OutlineEntry(analysis, symbol, *declaration));
-      continue;
     }
-    const auto function = entry_of_function.find(symbol.function);
-    if (function == entry_of_function.end()) continue;
-    entries[function->second]["children"].push_back(OutlineEntry(analysis, symbol, *declaration));
+  }
+  for (const auto& [index, declaration] : order) {
+    const Symbol& symbol = analysis.names.symbol(index);
+    if (is_top(symbol) && symbol.function < 0) continue;
+    const bool member = symbol.kind == Symbol::Kind::kMember;
+    const auto& owners = member ? entry_of_members : entry_of_function;
+    const auto owner = owners.find(member ? symbol.scope : symbol.function);
+    if (owner == owners.end()) continue;
+    entries[owner->second]["children"].push_back(OutlineEntry(analysis, symbol, *declaration));
   }
   return entries;
 }

@@ -34,9 +34,7 @@ Members ParameterMembers() {
 
 Json SymbolKinds() {
   using Kind = editor::Symbol::Kind;
-  std::vector<std::string_view> kinds = Names(Kind::kFunction, Kind::kCommand, editor::KindName);
-  kinds.emplace_back("member");
-  return Words(kinds);
+  return Words(Names(Kind::kFunction, Kind::kMember, editor::KindName));
 }
 
 /// The kind of a symbol, or one of these.

@@ -45,7 +45,7 @@ const std::vector<CompleteCase>& CompleteCases() {
       {"file level", "$0", {"int", "double", "TTrapPrm", "void"}, {"if", "GT_AxisOn", "static"}},
       {"file level of structured C",
        "$0",
-       {"int", "const", "static", "enum", "bool"},
+       {"int", "const", "static", "enum", "struct", "bool"},
        {"if"},
        kStructured},
       {"a statement",
@@ -125,6 +125,36 @@ const std::vector<CompleteCase>& CompleteCases() {
        {"i", "j", "abs"}},
   };
   return cases;
+}
+
+// Each `$0` stands behind a structure of the program.
+TEST(Complete, OffersTheMembersOfAStructure) {
+  const std::string head =
+      "struct point { int x; double y[2]; };\n"
+      "typedef struct { int target; struct point at[2]; TTrapPrm trap; } axis_t;\n"
+      "axis_t axis[3];\nstruct point home(void) { struct point p = {1}; return p; }\n";
+  const std::vector<std::string> of_point = {"x", "y"};
+  const std::vector<std::string> of_axis = {"target", "at", "trap"};
+  const auto offered = [&head](const std::string& statement) {
+    const AnalysedSource source(head + "void t0(int i)\n{\n  " + statement + "\n}\n", kStructured);
+    return LabelsOf(Complete(source.analysis(), source.cursor(), Language::kEnglish));
+  };
+  EXPECT_EQ(offered("axis[i + 1].$0;"), of_axis);
+  EXPECT_EQ(offered("axis[i].ta$0rget = 1;"), of_axis);
+  EXPECT_EQ(offered("axis[i].at[0].$0;"), of_point);
+  EXPECT_EQ(offered("i = home().$0;"), of_point);
+  EXPECT_EQ(offered("struct point p; p.$0"), of_point);
+  EXPECT_EQ(offered("i.$0;"), std::vector<std::string>());
+  EXPECT_EQ(offered("struct $0"), std::vector<std::string>{"point"});
+  EXPECT_EQ(offered("axis[i].trap.$0;"),
+            (std::vector<std::string>{"acc", "dec", "velStart", "smoothTime"}));
+  const AnalysedSource source(
+      head + "void set(axis_t *a, struct point *p)\n{\n  a->target = 1;\n  (*p).$0\n}\n",
+      kStructured);
+  const Json answer = Complete(source.analysis(), source.cursor(), Language::kEnglish);
+  EXPECT_EQ(LabelsOf(answer), of_point);
+  EXPECT_EQ(answer["items"][1]["detail"], "double y[2]");
+  EXPECT_EQ(answer["items"][1]["kind"], "member");
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, CompleteTest, testing::ValuesIn(CompleteCases()),

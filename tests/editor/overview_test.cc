@@ -53,6 +53,18 @@ TEST(Outline, HasEnumsWithTheirConstants) {
             "enum E 1-1 1:6\nconstant A 1-1 1:10\nconstant B 1-1 1:13\n");
 }
 
+TEST(Outline, HasStructuresWithTheirMembers) {
+  const AnalysedSource source(
+      "struct s { int x; int y[2]; };\nstruct s a;\ntypedef struct { int z; } t;\n", kStructured);
+  EXPECT_EQ(OutlineText(Outline(source.analysis(), 0)),
+            "struct s 1-1 1:8\n"
+            "  member x 1-1 1:16\n"
+            "  member y 1-1 1:23\n"
+            "global a 2-2 2:10\n"
+            "typedef t 3-3 3:27\n"
+            "  member z 3-3 3:22\n");
+}
+
 // --- Words ---------------------------------------------------------------------------------------
 
 /// Each word of a line with its kind; `!` marks a declaration, `=` what is written.

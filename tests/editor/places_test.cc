@@ -128,6 +128,8 @@ TEST_P(RenameTest, ChangesEveryPlaceOrRefuses) {
 constexpr RenameCase kRenameCases[] = {
     {"a variable", "int a$0;\nint f()\n{\n  a = a + 1;\n}\n", "speed",
      "int speed;\nint f()\n{\n  speed = speed + 1;\n}\n"},
+    {"a member of a structure", "struct s { int x; } a;\nint x;\nvoid f()\n{\n  a.$0x = x;\n}\n",
+     "speed", "struct s { int speed; } a;\nint x;\nvoid f()\n{\n  a.speed = x;\n}\n", kStructured},
     {"a function with its prototype", "int $0g();\nint g()\n{\n}\nint f()\n{\n  g();\n}\n", "h",
      "int h();\nint h()\n{\n}\nint f()\n{\n  h();\n}\n", kStructured},
     {"in the body of a macro", "#define M (a + 1)\nint f()\n{\n  int $0a = 1;\n  return M;\n}\n",

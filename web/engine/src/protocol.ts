@@ -185,6 +185,8 @@ export type SymbolKind =
   | "macro-parameter"
   | "constant"
   | "enum"
+  | "struct"
+  | "typedef"
   | "command"
   | "member";
 /**

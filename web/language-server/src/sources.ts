@@ -48,6 +48,8 @@ const tokenTypes = {
   "macro-parameter": "parameter",
   constant: "enumMember",
   enum: "enum",
+  struct: "struct",
+  typedef: "type",
   member: "property",
   number: "number",
   string: "string",
@@ -76,6 +78,8 @@ const completionKinds: Record<Candidate["kind"], CompletionItemKind> = {
   "macro-parameter": CompletionItemKind.Variable,
   constant: CompletionItemKind.EnumMember,
   enum: CompletionItemKind.Enum,
+  struct: CompletionItemKind.Struct,
+  typedef: CompletionItemKind.Class,
   member: CompletionItemKind.Field,
   value: CompletionItemKind.Value,
   type: CompletionItemKind.Class,
@@ -96,6 +100,8 @@ const symbolKinds: Record<OutlineEntry["kind"], SymbolKind> = {
   "macro-parameter": SymbolKind.Variable,
   constant: SymbolKind.EnumMember,
   enum: SymbolKind.Enum,
+  struct: SymbolKind.Struct,
+  typedef: SymbolKind.Class,
   member: SymbolKind.Field,
 };
 
