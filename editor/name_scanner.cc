@@ -6,6 +6,7 @@
 #include "compiler/lexer.h"
 #include "compiler/parser.hh"
 #include "compiler/parser_driver.h"
+#include "compiler/syntax.h"
 
 namespace oncard::editor {
 namespace {
@@ -297,9 +298,21 @@ void NameScanner::ScanStructureName(Type* type, size_t* last) {
   AddReference(code_[*last], found, Access::kRead);
 }
 
-// The members of a structure; `last` is the token before the brace. Gives their scope.
+// The members of a structure; `last` is the token before the brace. Gives their scope, or -1 of a
+// structure in more others than the compiler accepts.
 int NameScanner::ScanMembers(size_t last) {
   const size_t close = std::min(match_[at_], code_.size());
+  if (structures_ == compiler::kDepthMax) {
+    at_ = std::min(close + 1, code_.size());
+    return -1;
+  }
+  ++structures_;
+  const int members = ScanMembersUpTo(close, last);
+  --structures_;
+  return members;
+}
+
+int NameScanner::ScanMembersUpTo(size_t close, size_t last) {
   const int outer = open_.back().scope;
   Scope scope;
   scope.parent = outer;

@@ -67,6 +67,7 @@ class NameScanner {
   void ScanEnumeration(size_t last);
   void ScanStructureName(Type* type, size_t* last);
   int ScanMembers(size_t last);
+  int ScanMembersUpTo(size_t close, size_t last);
   void ScanMember(const Type& type, int members);
   bool ScanDeclarator(const Type& type, bool first);
   void ScanDimensions();
@@ -97,6 +98,7 @@ class NameScanner {
   std::vector<size_t> semicolon_;  // the next `;` or `}`
   std::vector<size_t> stop_;       // the next `;`, `{` or `}`
   size_t at_ = 0;
+  int structures_ = 0;  // those that at_ is in
   std::vector<Open> open_;
   std::vector<Call> calls_;
   std::vector<Use> uses_;

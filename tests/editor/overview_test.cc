@@ -65,6 +65,15 @@ TEST(Outline, HasStructuresWithTheirMembers) {
             "  member z 3-3 3:22\n");
 }
 
+// Of more structures in each other than the compiler accepts, the inner ones are left out.
+TEST(Outline, OfManyStructuresInEachOther) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "struct s {";
+  const AnalysedSource source(text + "int x;", kStructured);
+  const Json outline = Outline(source.analysis(), 0);
+  EXPECT_EQ(outline[0]["name"], "s");
+}
+
 // --- Words ---------------------------------------------------------------------------------------
 
 /// Each word of a line with its kind; `!` marks a declaration, `=` what is written.
