@@ -121,23 +121,18 @@ class RowMaker {
     for (const runtime::SlotValue& read : step.log.reads) {
       const std::string name = NameOf(step.log, read.slot, object_);
       if (name.empty() || (view_.detail == Detail::kBrief && !read.slot.global)) continue;
-      row.read += fmt::format("{}{} = {}", row.read.empty() ? "" : ", ", name,
-                              ValueText(step.log, read.slot, read.raw, object_));
+      row.reads.push_back({name, ValueText(step.log, read.slot, read.raw, object_)});
     }
-    for (const runtime::SlotChange& write : step.log.writes) {
-      AddChange(step.log, write.slot, write.before, write.after, &row.written);
-    }
+    for (const runtime::SlotChange& write : step.log.writes) AddChange(step.log, write, &row);
     row.escape = static_cast<int64_t>(index) == view_.last_escape;
     rows_.rows.push_back(std::move(row));
   }
 
-  void AddChange(const LoggedStep& step, const vm::SlotAddress& slot, int64_t before, int64_t after,
-                 std::string* text) const {
-    const std::string name = NameOf(step, slot, object_);
+  void AddChange(const LoggedStep& step, const runtime::SlotChange& change, StepRow* row) const {
+    std::string name = NameOf(step, change.slot, object_);
     if (name.empty()) return;
-    *text +=
-        fmt::format("{}{}: {} -> {}", text->empty() ? "" : ", ", name,
-                    ValueText(step, slot, before, object_), ValueText(step, slot, after, object_));
+    row->writes.push_back({std::move(name), ValueText(step, change.slot, change.before, object_),
+                           ValueText(step, change.slot, change.after, object_)});
   }
 
   void AddTime(const TrailStep& step) {
@@ -181,9 +176,7 @@ class RowMaker {
         }
       }
     }
-    for (const Change& each : changes) {
-      AddChange(*each.step, each.change.slot, each.change.before, each.change.after, &row.written);
-    }
+    for (const Change& each : changes) AddChange(*each.step, each.change, &row);
     const std::string lines =
         first == last ? fmt::to_string(first) : fmt::format("{}–{}", first, last);
     row.statement = MakeMessage(first == last ? "line {0} × {1} more" : "lines {0} × {1} more",
@@ -207,13 +200,32 @@ class RowMaker {
 
 int WidthOf(std::string_view text) { return compiler::DisplayLine(text).ColumnOf(text.size()); }
 
+/// `x = 3, a[1] = 0`.
+std::string ReadText(const StepRow& row) {
+  std::string text;
+  for (const ValueRead& read : row.reads) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", read.name, read.value);
+  }
+  return text;
+}
+
+/// `x: 3 -> 4`.
+std::string WrittenText(const StepRow& row) {
+  std::string text;
+  for (const ValueWritten& write : row.writes) {
+    text += fmt::format("{}{}: {} -> {}", text.empty() ? "" : ", ", write.name, write.before,
+                        write.after);
+  }
+  return text;
+}
+
 /// The text of a row's cell: `12  t = x;   [x = 0]   t: 3 -> 0`.
 std::string CellOf(const StepRow& row, Language language) {
   const bool repeat = row.kind == StepRow::Kind::kRepeat;
   std::string text =
       repeat ? "      " + row.statement : fmt::format("{:>4}  {}", row.line, row.statement);
-  if (!row.read.empty()) text += "   [" + row.read + ']';
-  if (!row.written.empty()) text += "   " + row.written;
+  if (!row.reads.empty()) text += "   [" + ReadText(row) + ']';
+  if (!row.writes.empty()) text += "   " + WrittenText(row);
   if (row.escape) {
     text += MakeMessage("   <- from here on every continuation fails", "   <- 此后再无正确结局")
                 .In(language);
@@ -449,11 +461,12 @@ std::string HtmlTable(const StepView& view, Language language) {
                             : fmt::format("<td class=\"{}{}\">", repeat ? "repeat" : "statement",
                                           row.escape ? " escape" : "");
     table += EscapeMarkup(row.statement);
-    if (!row.read.empty()) {
-      table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(row.read));
+    if (!row.reads.empty()) {
+      table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(ReadText(row)));
     }
-    if (!row.written.empty()) {
-      table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(row.written));
+    if (!row.writes.empty()) {
+      table +=
+          fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(WrittenText(row)));
     }
     table += "</td></tr>\n";
   }

@@ -38,6 +38,19 @@ struct StepView {
   int64_t last_escape = -1;               ///< the step after which every continuation fails; marked
 };
 
+/// A value that a statement read.
+struct ValueRead {
+  std::string name;
+  std::string value;
+};
+
+/// A value that a statement wrote, or what passes of a loop made of it together.
+struct ValueWritten {
+  std::string name;
+  std::string before;
+  std::string after;
+};
+
 /// A line of a table.
 struct StepRow {
   enum class Kind : uint8_t { kStep, kTime, kHost, kRepeat };
@@ -48,8 +61,8 @@ struct StepRow {
   int line = 0;      ///< kStep
   /// kStep: its text; kHost: `host: GT_RunThread(0)`; kRepeat: `lines 15–19 × 48 more`.
   std::string statement;
-  std::string read;     ///< `x = 3, a[1] = 0`
-  std::string written;  ///< `x: 3 -> 4`
+  std::vector<ValueRead> reads;
+  std::vector<ValueWritten> writes;
   bool escape = false;
 };
 
