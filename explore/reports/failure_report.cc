@@ -7,8 +7,6 @@
 #include <span>
 
 #include "base/markup.h"
-#include "explore/reports/culprit.h"
-#include "explore/reports/step_table.h"
 #include "runtime/observe/race_steps.h"
 
 namespace oncard::explore {
@@ -31,50 +29,6 @@ runtime::PlacedCommand CommandOf(const Subject& subject, const RacingStatement& 
 runtime::PlacedAccess PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
   const TrailStep& step = findings.trail.steps[statement.step];
   return {step.log.thread, step.log.line, statement.writes};
-}
-
-Message DescribeFault(const Findings& findings, const Failure& failure) {
-  const Subject& subject = findings.subject;
-  if (failure.livelock && !failure.fault) {
-    if (!findings.trail.starvation.en.empty()) return findings.trail.starvation;
-    return {"livelock: the threads can run for ever without any of them ending",
-            "活锁：各线程可以一直运行而都不结束"};
-  }
-  switch (failure.fault.kind) {
-    case Fault::Kind::kThread:
-      return MakeMessage("thread {0} ends with a fault", "线程 {0} 因故障结束",
-                         subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
-    case Fault::Kind::kDeadlock:
-      return {
-          "deadlock: every running thread waits for a variable that nothing can change any more",
-          "死锁：所有运行中的线程都在等待不会再改变的变量"};
-    case Fault::Kind::kTimeLimit:
-      if (subject.host != nullptr) {
-        return MakeMessage("threads still run {0} ms after the host closed the card",
-                           "主机关闭控制卡 {0} ms 后仍有线程在运行", subject.card->limit_ms);
-      }
-      return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
-    case Fault::Kind::kRace:
-      return DescribeRace(subject, failure.fault.race);
-    case Fault::Kind::kHostCall: {
-      const std::string call = subject.host->calls().Describe(failure.fault.call);
-      return MakeMessage("the card does not answer {0} as in the record of the host",
-                         "控制卡对 {0} 的应答与主机记录不同", call);
-    }
-    case Fault::Kind::kNone:
-    case Fault::Kind::kRequirement:
-      break;
-  }
-  const Requirement& violated =
-      subject.requirements[static_cast<size_t>(failure.fault.requirement)];
-  if (violated.scope == Scope::kAssert) {
-    return MakeMessage("{0} does not hold at {1} in thread {2}", "{0} 在 {1} 处（线程 {2}）不成立",
-                       violated.Title(), violated.at,
-                       subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
-  }
-  const bool never = violated.scope == Scope::kNever;
-  return MakeMessage(never ? "{0} holds" : "{0} does not hold", never ? "{0} 成立" : "{0} 不成立",
-                     violated.Title());
 }
 
 /// Describes the results of the two orders of a data race.
@@ -146,34 +100,6 @@ std::vector<Message> SummaryOf(const Findings& findings, const Failure& failure,
   return lines;
 }
 
-StepView ViewOf(const Findings& findings, const Failure& failure,
-                const std::optional<Culprit>& culprit, bool full) {
-  const Trail& trail = findings.trail;
-  StepView view = {findings.subject, trail.steps, findings.source};
-  view.detail = full ? Detail::kFull : Detail::kBrief;
-  view.with_card = trail.with_card;
-  view.host = trail.host;
-  view.trace = trail.trace ? &*trail.trace : nullptr;
-  view.last_escape = failure.last_escape - trail.skipped;
-  if (culprit) view.named = culprit->steps;
-  if (trail.pair) {
-    view.named.push_back(trail.pair->first.step);
-    view.named.push_back(trail.pair->second.step);
-  }
-  if (trail.unanswered) view.named.push_back(*trail.unanswered);
-  if (failure.fault.kind == Fault::Kind::kThread && !trail.steps.empty()) {
-    view.named.push_back(trail.steps.size() - 1);
-  }
-  return view;
-}
-
-/// The steps that repeat forever.
-StepView CycleOf(const Findings& findings, bool full) {
-  StepView view = {findings.subject, findings.trail.cycle, findings.source};
-  view.detail = full ? Detail::kFull : Detail::kBrief;
-  return view;
-}
-
 /// What is not shown, and how to show it.
 std::string LeftOutText(const StepView& view, Language language) {
   const size_t count = RowsOf(view, language).left_out;
@@ -195,7 +121,56 @@ nlohmann::ordered_json PartiesJson(const std::string& what, const runtime::Place
   return json;
 }
 
+/// How much of a run the reports show.
+Detail DetailOf(const ReportOptions& options) {
+  return options.full ? Detail::kFull : Detail::kBrief;
+}
+
 }  // namespace
+
+Message DescribeFault(const Findings& findings, const Failure& failure) {
+  const Subject& subject = findings.subject;
+  if (failure.livelock && !failure.fault) {
+    if (!findings.trail.starvation.en.empty()) return findings.trail.starvation;
+    return {"livelock: the threads can run for ever without any of them ending",
+            "活锁：各线程可以一直运行而都不结束"};
+  }
+  switch (failure.fault.kind) {
+    case Fault::Kind::kThread:
+      return MakeMessage("thread {0} ends with a fault", "线程 {0} 因故障结束",
+                         subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
+    case Fault::Kind::kDeadlock:
+      return {
+          "deadlock: every running thread waits for a variable that nothing can change any more",
+          "死锁：所有运行中的线程都在等待不会再改变的变量"};
+    case Fault::Kind::kTimeLimit:
+      if (subject.host != nullptr) {
+        return MakeMessage("threads still run {0} ms after the host closed the card",
+                           "主机关闭控制卡 {0} ms 后仍有线程在运行", subject.card->limit_ms);
+      }
+      return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
+    case Fault::Kind::kRace:
+      return DescribeRace(subject, failure.fault.race);
+    case Fault::Kind::kHostCall: {
+      const std::string call = subject.host->calls().Describe(failure.fault.call);
+      return MakeMessage("the card does not answer {0} as in the record of the host",
+                         "控制卡对 {0} 的应答与主机记录不同", call);
+    }
+    case Fault::Kind::kNone:
+    case Fault::Kind::kRequirement:
+      break;
+  }
+  const Requirement& violated =
+      subject.requirements[static_cast<size_t>(failure.fault.requirement)];
+  if (violated.scope == Scope::kAssert) {
+    return MakeMessage("{0} does not hold at {1} in thread {2}", "{0} 在 {1} 处（线程 {2}）不成立",
+                       violated.Title(), violated.at,
+                       subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
+  }
+  const bool never = violated.scope == Scope::kNever;
+  return MakeMessage(never ? "{0} holds" : "{0} does not hold", never ? "{0} 成立" : "{0} 不成立",
+                     violated.Title());
+}
 
 Message WhatFailed(const Findings& findings, const Failure& failure) {
   Message wrong = DescribeFault(findings, failure);
@@ -214,6 +189,33 @@ Message DescribeRace(const Subject& subject, const Race& race) {
                                    PartyOf(subject, race.first), PartyOf(subject, race.second));
 }
 
+StepView ViewOf(const Findings& findings, const Failure& failure,
+                const std::optional<Culprit>& culprit, Detail detail) {
+  const Trail& trail = findings.trail;
+  StepView view = {findings.subject, trail.steps, findings.source};
+  view.detail = detail;
+  view.with_card = trail.with_card;
+  view.host = trail.host;
+  view.trace = trail.trace ? &*trail.trace : nullptr;
+  view.last_escape = failure.last_escape - trail.skipped;
+  if (culprit) view.named = culprit->steps;
+  if (trail.pair) {
+    view.named.push_back(trail.pair->first.step);
+    view.named.push_back(trail.pair->second.step);
+  }
+  if (trail.unanswered) view.named.push_back(*trail.unanswered);
+  if (failure.fault.kind == Fault::Kind::kThread && !trail.steps.empty()) {
+    view.named.push_back(trail.steps.size() - 1);
+  }
+  return view;
+}
+
+StepView CycleOf(const Findings& findings, Detail detail) {
+  StepView view = {findings.subject, findings.trail.cycle, findings.source};
+  view.detail = detail;
+  return view;
+}
+
 std::string FailureText(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language) {
   const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
@@ -222,11 +224,11 @@ std::string FailureText(const Findings& findings, const Failure& failure,
     text += line.In(language) + '\n';
   }
   text += '\n';
-  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  const StepView view = ViewOf(findings, failure, culprit, DetailOf(options));
   text += TextTable(view, options.width, language);
   if (failure.livelock) {
     text += Message{"\nand then for ever:\n", "\n然后永远重复：\n"}.In(language);
-    text += TextTable(CycleOf(findings, options.full), options.width, language);
+    text += TextTable(CycleOf(findings, DetailOf(options)), options.width, language);
   }
   return text + LeftOutText(view, language);
 }
@@ -241,7 +243,7 @@ std::string FailureHtml(const Findings& findings, const Failure& failure,
     html += fmt::format("<li>{}</li>\n", EscapeMarkup(line.In(language)));
   }
   html += "</ul>\n";
-  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  const StepView view = ViewOf(findings, failure, culprit, DetailOf(options));
   html += HtmlTable(view, language);
   const auto paragraph = [&](const Message& message) {
     html += fmt::format("<p>{}</p>\n", message.In(language));
@@ -251,7 +253,7 @@ std::string FailureHtml(const Findings& findings, const Failure& failure,
   }
   if (failure.livelock) {
     paragraph({"And then for ever:", "然后永远重复："});
-    html += HtmlTable(CycleOf(findings, options.full), language);
+    html += HtmlTable(CycleOf(findings, DetailOf(options)), language);
   }
   const std::string left_out = LeftOutText(view, language);
   if (!left_out.empty()) html += fmt::format("<p>{}</p>\n", EscapeMarkup(left_out));

@@ -5,17 +5,29 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
+#include "explore/reports/culprit.h"
 #include "explore/reports/report.h"
+#include "explore/reports/step_table.h"
 
 namespace oncard::explore {
 
 /// "data race: thread 0 reads x in line 3, thread 1 writes it in line 9, and nothing orders them".
 Message DescribeRace(const Subject& subject, const Race& race);
 
+/// `final: x == 2 does not hold`.
+Message DescribeFault(const Findings& findings, const Failure& failure);
+
 /// `final: x == 2 does not hold: x is 1, expected 2`.
 Message WhatFailed(const Findings& findings, const Failure& failure);
+
+/// The table of a failing run, with what its texts name. The findings must outlive it.
+StepView ViewOf(const Findings& findings, const Failure& failure,
+                const std::optional<Culprit>& culprit, Detail detail);
+/// That of the steps that then repeat for ever.
+StepView CycleOf(const Findings& findings, Detail detail);
 
 /// For a terminal; ends in a newline.
 std::string FailureText(const Findings& findings, const Failure& failure,
