@@ -42,7 +42,7 @@ void Add(const Sources& more, Sources* sources) {
 /// A thread has used at `use` the value that it read at `read`, although another thread changed it
 /// at `write`.
 struct StaleUse {
-  enum class Kind : uint8_t { kOverwrites, kComputes, kDecides };
+  using Kind = StaleValue::Kind;
   Kind kind = Kind::kOverwrites;
   SlotValue value;
   size_t read = 0;
@@ -211,6 +211,7 @@ class CulpritDescriber {
     const std::string there = WrittenTo(write, use.value.slot);
     Culprit culprit;
     culprit.steps = {use.read, use.write, use.use};
+    culprit.stale = {use.kind, name, old, there, use.read, use.write, use.use};
     switch (use.kind) {
       case StaleUse::Kind::kOverwrites:
         culprit.sentence = MakeMessage(

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/message.h"
@@ -15,9 +17,23 @@
 
 namespace oncard::explore {
 
+/// A thread has used at `use` the value that it read at `read`, although another thread changed it
+/// at `write`; all three are indices in Trail::steps.
+struct StaleValue {
+  enum class Kind : uint8_t { kOverwrites, kComputes, kDecides };
+  Kind kind = Kind::kOverwrites;
+  std::string name;     ///< of the variable
+  std::string value;    ///< what was read
+  std::string changed;  ///< what the other thread has written
+  size_t read = 0;
+  size_t write = 0;
+  size_t use = 0;
+};
+
 struct Culprit {
-  Message sentence;           ///< steps are numbered from 1
-  std::vector<size_t> steps;  ///< the steps that it names, as indices in Trail::steps
+  Message sentence;                      ///< steps are numbered from 1
+  std::vector<size_t> steps;             ///< the steps that it names, as indices in Trail::steps
+  std::optional<StaleValue> stale = {};  ///< empty: two statements whose order makes the difference
 };
 
 /// Empty if no step of one thread was executed between steps of another.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -29,6 +30,7 @@ class RowMaker {
         texts_(view.source, object_) {}
 
   StepRows Make() {
+    if (view_.detail == Detail::kFlow) FindCarriers();
     for (size_t i = 0; i < view_.steps.size(); ++i) {
       if (Matters(i)) shown_.push_back(i);
     }
@@ -37,6 +39,7 @@ class RowMaker {
       const Loop loop = view_.detail == Detail::kFull ? Loop{} : LoopAt(i);
       const size_t once = loop.times == 0 ? 1 : loop.period;
       for (size_t end = i + once; i < end; ++i) {
+        AddGapUpTo(shown_[i]);
         AddHostUpTo(shown_[i]);
         AddStep(shown_[i]);
       }
@@ -44,6 +47,7 @@ class RowMaker {
       AddRepeat(i, loop);
       i += loop.period * (loop.times - 1);
     }
+    AddGapUpTo(view_.steps.size());
     AddHostUpTo(view_.steps.size());
     return std::move(rows_);
   }
@@ -60,12 +64,37 @@ class RowMaker {
            std::ranges::find(view_.named, step) != view_.named.end();
   }
 
+  static bool TouchesShared(const auto& accesses) {
+    return std::ranges::any_of(accesses, [](const auto& each) { return each.slot.global; });
+  }
+
+  /// True if its rows say only what is shared.
+  bool Brief() const { return view_.detail == Detail::kBrief || view_.detail == Detail::kFlow; }
+
   bool Matters(size_t index) const {
-    if (view_.detail != Detail::kBrief || Named(index)) return true;
+    if (!Brief() || Named(index)) return true;
     const LoggedStep& step = view_.steps[index].log;
-    const auto shared = [](const auto& each) { return each.slot.global; };
-    return step.command || std::ranges::any_of(step.reads, shared) ||
-           std::ranges::any_of(step.writes, shared);
+    return step.command || TouchesShared(step.reads) || TouchesShared(step.writes) ||
+           (!carriers_.empty() && carriers_[index]);
+  }
+
+  /// From the end on: a statement carries a value if it writes a local that a later one reads in
+  /// order to write a shared variable, to call a command, or to carry it on.
+  void FindCarriers() {
+    carriers_.resize(view_.steps.size());
+    std::set<std::pair<uint8_t, uint16_t>> awaited;  // page and slot of locals
+    for (size_t i = view_.steps.size(); i-- > 0;) {
+      const LoggedStep& step = view_.steps[i].log;
+      for (const runtime::SlotChange& write : step.writes) {
+        if (!write.slot.global && awaited.erase({write.slot.page, write.slot.id}) > 0) {
+          carriers_[i] = true;
+        }
+      }
+      if (!carriers_[i] && !step.command && !TouchesShared(step.writes)) continue;
+      for (const runtime::SlotValue& read : step.reads) {
+        if (!read.slot.global) awaited.insert({read.slot.page, read.slot.id});
+      }
+    }
   }
 
   /// True if the host has done something since the shown step before that one.
@@ -100,6 +129,19 @@ class RowMaker {
     return best;
   }
 
+  /// Rows for what is left out before that step: one for each turn of a thread.
+  void AddGapUpTo(size_t index) {
+    while (view_.with_gaps && accounted_ < index) {
+      StepRow row;
+      row.kind = StepRow::Kind::kGap;
+      row.step = accounted_;
+      row.thread = view_.steps[accounted_].thread;
+      while (accounted_ < index && view_.steps[accounted_].thread == row.thread) ++accounted_;
+      row.last = accounted_ - 1;
+      rows_.rows.push_back(std::move(row));
+    }
+  }
+
   void AddHostUpTo(size_t index) {
     for (; host_ < view_.host.size() && view_.host[host_].before <= index; ++host_) {
       StepRow row;
@@ -113,15 +155,18 @@ class RowMaker {
   void AddStep(size_t index) {
     const TrailStep& step = view_.steps[index];
     AddTime(step);
+    accounted_ = index + 1;
     StepRow row;
     row.step = index;
+    row.last = index;
     row.thread = step.thread;
     row.line = step.log.line;
     row.statement = texts_.Of(step.log);
     for (const runtime::SlotValue& read : step.log.reads) {
-      const std::string name = NameOf(step.log, read.slot, object_);
-      if (name.empty() || (view_.detail == Detail::kBrief && !read.slot.global)) continue;
-      row.reads.push_back({name, ValueText(step.log, read.slot, read.raw, object_)});
+      std::string name = NameOf(step.log, read.slot, object_);
+      if (name.empty() || (Brief() && !read.slot.global)) continue;
+      row.reads.push_back(
+          {std::move(name), ValueText(step.log, read.slot, read.raw, object_), read.slot.global});
     }
     for (const runtime::SlotChange& write : step.log.writes) AddChange(step.log, write, &row);
     row.escape = static_cast<int64_t>(index) == view_.last_escape;
@@ -132,7 +177,8 @@ class RowMaker {
     std::string name = NameOf(step, change.slot, object_);
     if (name.empty()) return;
     row->writes.push_back({std::move(name), ValueText(step, change.slot, change.before, object_),
-                           ValueText(step, change.slot, change.after, object_)});
+                           ValueText(step, change.slot, change.after, object_),
+                           change.slot.global});
   }
 
   void AddTime(const TrailStep& step) {
@@ -148,9 +194,12 @@ class RowMaker {
   /// Summarises the loop's repetitions after the first: its lines, and their total changes.
   void AddRepeat(size_t begin, const Loop& loop) {
     const size_t count = loop.period * (loop.times - 1);
+    AddGapUpTo(shown_[begin]);
     StepRow row;
     row.kind = StepRow::Kind::kRepeat;
     row.step = shown_[begin];
+    row.last = shown_[begin + count - 1];
+    accounted_ = row.last + 1;
     row.thread = view_.steps[row.step].thread;
     int first = view_.steps[row.step].log.line;
     int last = first;
@@ -190,7 +239,9 @@ class RowMaker {
   const vm::Object& object_;
   StatementTexts texts_;
   std::vector<size_t> shown_;
-  size_t host_ = 0;  ///< the next one of the host's calls
+  std::vector<bool> carriers_;  ///< kFlow: for each step
+  size_t accounted_ = 0;        ///< the first step that no row stands for
+  size_t host_ = 0;             ///< the next one of the host's calls
   bool has_time_ = false;
   double at_ms_ = 0;
   StepRows rows_;
@@ -465,8 +516,7 @@ std::string HtmlTable(const StepView& view, Language language) {
       table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(ReadText(row)));
     }
     if (!row.writes.empty()) {
-      table +=
-          fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(WrittenText(row)));
+      table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(WrittenText(row)));
     }
     table += "</td></tr>\n";
   }

@@ -21,6 +21,7 @@ namespace oncard::explore {
 enum class Detail : uint8_t {
   kBrief,  ///< those that access shared variables or the card, and named ones; passes of loops
            ///< combined
+  kFlow,   ///< the same, and those that compute what they write or command
   kLoops,  ///< all; passes of loops combined
   kFull    ///< all, including every pass of loops
 };
@@ -36,12 +37,14 @@ struct StepView {
   std::vector<size_t> named = {};         ///< steps that are always shown
   std::span<const HostStep> host = {};    ///< what the host does between the steps
   int64_t last_escape = -1;               ///< the step after which every continuation fails; marked
+  bool with_gaps = false;                 ///< what is left out has rows of its own
 };
 
 /// A value that a statement read.
 struct ValueRead {
   std::string name;
   std::string value;
+  bool shared = false;  ///< of a global variable
 };
 
 /// A value that a statement wrote, or what passes of a loop made of it together.
@@ -49,13 +52,15 @@ struct ValueWritten {
   std::string name;
   std::string before;
   std::string after;
+  bool shared = false;  ///< of a global variable
 };
 
 /// A line of a table.
 struct StepRow {
-  enum class Kind : uint8_t { kStep, kTime, kHost, kRepeat };
+  enum class Kind : uint8_t { kStep, kTime, kHost, kRepeat, kGap };
   Kind kind = Kind::kStep;
-  size_t step = 0;   ///< kStep: its index; kRepeat: the index of the first step left out
+  size_t step = 0;   ///< kStep: its index; kRepeat, kGap: the index of the first step left out
+  size_t last = 0;   ///< kRepeat, kGap: the index of the last step left out
   int thread = 0;    ///< column; kRepeat: -1 if threads take turns in the loop
   double at_ms = 0;  ///< kTime, kHost
   int line = 0;      ///< kStep

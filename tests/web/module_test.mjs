@@ -151,6 +151,10 @@ test("an exploration finds a lost update", () => {
   assert.ok(ok, error);
   assert.equal(result.report.verdict, "FAILED");
   assert.match(result.text, /sum is 1, expected 2/);
+  const { actual, rows, stale } = result.interleaving;
+  assert.equal(actual, "sum is 1, expected 2");
+  assert.deepEqual(rows[0].statement, "copy = sum;");
+  assert.equal(stale.name, "sum");
 
   // The schedule is a file that a session follows to the same end.
   const { files } = request.arguments;
@@ -167,7 +171,7 @@ test("an exploration says which file is missing, and keeps no schedule of a proo
   assert.deepEqual(answerTo(request, full).missing, ["a.c"]);
   const { result } = answerTo({ ...counting, request: "explore" }, full);
   assert.equal(result.report.verdict, "PROVED");
-  assert.ok(!("schedule" in result));
+  assert.ok(!("schedule" in result) && !("interleaving" in result));
 });
 
 test("nesting that is too deep for the stack is a diagnostic", () => {

@@ -5,6 +5,7 @@
 
 #include "compiler/diagnostic_printer.h"
 #include "explore/question.h"
+#include "explore/reports/interleaving.h"
 #include "explore/reports/report.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/file/scenario.h"
@@ -67,6 +68,8 @@ Result<Json> Explore(const Json& json, Language* language, std::vector<std::stri
         explore::FailureScheduleBeside(main, question.value(), object, findings.value());
     if (!schedule.ok()) return schedule.error();
     answer["schedule"] = std::move(schedule).value();
+    const explore::Failure& failure = *findings.value().exploration.failure;
+    answer["interleaving"] = explore::InterleavingJson(findings.value(), failure, *language);
   }
   return answer;
 }
