@@ -7,6 +7,7 @@ import { useRef } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
+import { seek } from "../session/seeking.js";
 import { number, texts } from "../texts/texts.js";
 import {
   type Bar,
@@ -395,23 +396,4 @@ function Scale({ span: shown, cursor }: { span: Span; cursor: number }) {
       ))}
     </div>
   );
-}
-
-// --- Going there: the last place that was wished for, when the one before has been reached ---------
-
-let wished: number | undefined;
-let isGoing = false;
-
-function seek(moment: number): void {
-  wished = moment;
-  if (isGoing) return;
-  isGoing = true;
-  void (async () => {
-    while (wished !== undefined) {
-      const to: number = wished;
-      wished = undefined;
-      await bench.goTo({ moment: to });
-    }
-    isGoing = false;
-  })();
 }
