@@ -5,9 +5,8 @@ import type { Engine, ExploreAnswer, Project, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
 import { computed, effect, untracked } from "@preact/signals";
 
-import { bench } from "../session/bench.js";
+import { forgetFailingRun, showFailingRun } from "../interleaving/failing_run.js";
 import { type Purpose, startModule } from "../session/engines.js";
-import { forgetRecord } from "../session/record.js";
 import { markSolved } from "../store/lessons.js";
 import { ownProgram } from "../store/own_program.js";
 import { settings } from "../store/settings.js";
@@ -28,6 +27,7 @@ const [{ verdict }, change] = slice<{ verdict: Verdict }>({ verdict: { kind: "no
 export { verdict };
 
 function say(said: Verdict): void {
+  forgetFailingRun();
   change({ verdict: said });
 }
 
@@ -108,9 +108,10 @@ async function exploreAll(what: "check" | "explore", projects: Project[]): Promi
       return { kind: "explored", exploration, isCheck, isHidden };
     });
   });
-  if (explored && found.kind === "explored" && found.exploration.schedule !== undefined) {
-    forgetRecord();
-    await bench.loadRecording(explored, found.exploration.schedule);
+  if (!explored || found.kind !== "explored") return;
+  const { schedule, interleaving } = found.exploration;
+  if (schedule !== undefined && interleaving) {
+    await showFailingRun({ project: explored, schedule, interleaving });
   }
 }
 

@@ -1,6 +1,6 @@
 // What a check or an exploration says, in words.
 
-import type { ExploreAnswer } from "@oncard/engine";
+import type { ExploreAnswer, Interleaving } from "@oncard/engine";
 
 import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
@@ -80,22 +80,14 @@ function Warnings({ warnings }: { warnings: string[] }) {
 
 function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isCheck: boolean }) {
   const { explore: e, lessons: t } = texts.value;
-  const { report, text = "", schedule } = exploration;
+  const { report, text = "", interleaving } = exploration;
   if (!report) return null;
   const isGood = report.verdict === "PROVED" || report.verdict === "PASSED";
   const isTask = isCheck && source.lesson.value.task === "explore" && report.verdict === "PROVED";
-  // The report for people is in the reader's language: the sentence after its values is the culprit.
   return (
     <>
       <p class={isGood ? "good" : "bad"}>{isTask ? t.proved : e.verdicts[report.verdict]}</p>
-      {report.verdict === "FAILED" && (
-        <Culprit
-          text={text}
-          hasChoice={report.choice !== undefined}
-          isKnown={report.culprit !== undefined}
-        />
-      )}
-      {schedule !== undefined && <p>{e.opened}</p>}
+      {interleaving && <Failure interleaving={interleaving} />}
       <details>
         <summary>{e.report}</summary>
         <pre class="report" tabIndex={0}>
@@ -106,19 +98,16 @@ function Explored({ exploration, isCheck }: { exploration: ExploreAnswer; isChec
   );
 }
 
-/** What the report says does not hold, in which case of its choices, and, if known, which step caused it. */
-function Culprit(props: { text: string; hasChoice: boolean; isKnown: boolean }) {
-  const { text, hasChoice, isKnown } = props;
-  const paragraph = text.split("\n\n")[1] ?? "";
-  const culprit = hasChoice ? 2 : 1;
-  const lines = paragraph.split("\n").slice(0, isKnown ? culprit + 1 : culprit);
+/** What does not hold, in which case of what the scenario leaves open, and, if known, which step caused it. */
+function Failure({ interleaving }: { interleaving: Interleaving }) {
+  const { explore: e, status } = texts.value;
+  const { reason, actual, choice, culprit } = interleaving;
   return (
     <>
-      {lines.map((line, index) => (
-        <p key={line} class={index === culprit ? "culprit" : ""}>
-          {line}
-        </p>
-      ))}
+      <p>{actual === undefined ? reason : e.because(reason, actual)}</p>
+      {choice !== undefined && <p>{status.choice(choice)}</p>}
+      {culprit !== undefined && <p class="culprit">{culprit}</p>}
+      <p>{e.opened}</p>
     </>
   );
 }

@@ -261,6 +261,7 @@ export const en = {
     },
     opened:
       "The failing run is on the card now: step it back and forward, or drag the cursor of the timeline.",
+    because: (reason: string, actual: string) => `${reason}: ${actual}`,
     report: "Report",
     stopped: "The exploration was stopped.",
   },

@@ -251,6 +251,7 @@ export const zh: Texts = {
       INCOMPLETE: "未完成：搜索到达了上限。",
     },
     opened: "失败的运行现在就在卡上：可以前后单步，或拖动时间线的光标。",
+    because: (reason: string, actual: string) => `${reason}：${actual}`,
     report: "报告",
     stopped: "探索已停止。",
   },
