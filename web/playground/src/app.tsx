@@ -5,6 +5,8 @@ import type { ComponentChildren } from "preact";
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
+import { failingRun } from "./interleaving/failing_run.js";
+import { InterleavingPanel } from "./interleaving/panel.js";
 import { isOpening } from "./lesson/opening.js";
 import { RecordPanel } from "./panel/record.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
@@ -34,7 +36,7 @@ function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
   const isOutdated = ofCard.includes(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
-      class={`panel ${layout.front.value === name ? "front" : ""} ${isOutdated ? "outdated" : ""}`}
+      class={`panel ${frontPanel() === name ? "front" : ""} ${isOutdated ? "outdated" : ""}`}
       aria-labelledby={`panel-${name}`}
       id={name}
     >
@@ -46,8 +48,21 @@ function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
   );
 }
 
+/** Without a failing run it has no panel; what it came from says why. */
+function frontPanel(): Panel {
+  const { value: front } = layout.front;
+  return front === "interleaving" && !failingRun.value ? "lesson" : front;
+}
+
 export function App() {
   const t = texts.value;
+  const failing = failingRun.value !== undefined;
+  const shownPanels = panels.filter((name) => name !== "interleaving" || failing);
+  const timeline = (
+    <Box key="timeline" name="timeline">
+      <TimelinePanel />
+    </Box>
+  );
   return (
     <>
       <a
@@ -65,12 +80,12 @@ export function App() {
       <StatusLine />
       <LinkMessage />
       <nav class="switcher" aria-label={t.panels.all}>
-        {panels.map((name) => (
+        {shownPanels.map((name) => (
           <button
             key={name}
             type="button"
             class="tab"
-            aria-pressed={layout.front.value === name}
+            aria-pressed={frontPanel() === name}
             onClick={() => {
               showPanel(name);
             }}
@@ -79,7 +94,7 @@ export function App() {
           </button>
         ))}
       </nav>
-      <main class={isOpening.value ? "opening" : ""}>
+      <main class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}>
         <div class="column">
           <Box name="lesson">
             <LessonPanel />
@@ -94,13 +109,17 @@ export function App() {
           </Box>
         </div>
         <div class="column">
-          <Box name="machine">
+          {failing && (
+            <Box key="interleaving" name="interleaving">
+              <InterleavingPanel />
+            </Box>
+          )}
+          {failing && timeline}
+          <Box key="machine" name="machine">
             <MachinePanel />
           </Box>
-          <Box name="timeline">
-            <TimelinePanel />
-          </Box>
-          <Box name="scope">
+          {!failing && timeline}
+          <Box key="scope" name="scope">
             <ScopePanel />
           </Box>
         </div>

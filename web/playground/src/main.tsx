@@ -22,6 +22,7 @@ import "./style/tokens.css";
 import "./style/elements.css";
 import "./style/frame.css";
 import "./style/parts.css";
+import "./interleaving/table.css";
 
 keepSettings(navigator.language);
 applySettings();

@@ -1,5 +1,6 @@
 // What the reader can do with the card, and the keys for it: buttons and keys do the same.
 
+import { failingRun } from "../interleaving/failing_run.js";
 import { checkTask, explore } from "../lesson/checks.js";
 import { showVerdict } from "../lesson/verdict.js";
 import { bench, session } from "../session/bench.js";
@@ -37,7 +38,10 @@ export const actions = {
   explore: () => {
     if (record.peek()) return;
     showPanel("lesson"); // it says what is found
-    void explore().then(showVerdict);
+    void explore().then(() => {
+      showVerdict();
+      if (failingRun.peek()) showPanel("interleaving");
+    });
   },
   check: () => {
     showPanel("lesson");

@@ -3,7 +3,15 @@
 
 import { slice } from "./slice.js";
 
-export const panels = ["lesson", "program", "machine", "timeline", "scope", "values"] as const;
+export const panels = [
+  "lesson",
+  "program",
+  "interleaving",
+  "machine",
+  "timeline",
+  "scope",
+  "values",
+] as const;
 export type Panel = (typeof panels)[number];
 
 export const tabs = ["variables", "threads", "listing", "warnings"] as const;

@@ -12,6 +12,7 @@ export const en = {
   panels: {
     lesson: "Lesson",
     program: "Program",
+    interleaving: "Order",
     machine: "Machine",
     timeline: "Timeline",
     scope: "Scope",
@@ -260,10 +261,25 @@ export const en = {
       INCOMPLETE: "Incomplete: the search ended at a limit.",
     },
     opened:
-      "The failing run is on the card now: step it back and forward, or drag the cursor of the timeline.",
+      "The failing run is on the card now: choose a step in its table, step it back and forward, or drag the cursor of the timeline.",
     because: (reason: string, actual: string) => `${reason}: ${actual}`,
     report: "Report",
     stopped: "The exploration was stopped.",
+  },
+
+  interleaving: {
+    label: "Failing run, step by step",
+    step: "step",
+    shared: "shared",
+    reads: (value: string) => `reads ${value}`,
+    statements: (count: number) => (count === 1 ? "1 statement" : `${count} statements`),
+    nothingShared: ", nothing shared",
+    fatal: "From here on, every continuation fails.",
+    forever: "And then for ever:",
+    skipped: (statements: number) =>
+      statements === 1
+        ? "1 statement before is not shown."
+        : `${statements} statements before are not shown.`,
   },
 
   welcome: {

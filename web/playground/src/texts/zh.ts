@@ -14,6 +14,7 @@ export const zh: Texts = {
   panels: {
     lesson: "课程",
     program: "程序",
+    interleaving: "次序",
     machine: "机器",
     timeline: "时间线",
     scope: "示波器",
@@ -250,10 +251,22 @@ export const zh: Texts = {
       FAILED: "失败：某种交错使它不成立。",
       INCOMPLETE: "未完成：搜索到达了上限。",
     },
-    opened: "失败的运行现在就在卡上：可以前后单步，或拖动时间线的光标。",
+    opened: "失败的运行现在就在卡上：可以在表中选一步、前后单步，或拖动时间线的光标。",
     because: (reason: string, actual: string) => `${reason}：${actual}`,
     report: "报告",
     stopped: "探索已停止。",
+  },
+
+  interleaving: {
+    label: "失败的运行，逐步列出",
+    step: "步",
+    shared: "共享变量",
+    reads: (value: string) => `读到 ${value}`,
+    statements: (count: number) => `${count} 条语句`,
+    nothingShared: "，不涉及共享变量",
+    fatal: "从这里起，怎样继续都会失败。",
+    forever: "然后永远重复：",
+    skipped: (statements: number) => `此前的 ${statements} 条语句未列出。`,
   },
 
   welcome: {

@@ -1,0 +1,116 @@
+// The failing run of an exploration as a table: what it says, and where it leads.
+
+import { expect, type Locator, type Page, test } from "@playwright/test";
+
+import { editor, expectAccessible, open, status } from "./support.js";
+
+const table = (page: Page): Locator => page.getByRole("grid", { name: /Failing run|失败的运行/ });
+const row = (page: Page, step: number): Locator => page.locator(`#step-${step}`);
+
+async function exploreLostUpdate(page: Page): Promise<void> {
+  await open(page, "#lesson=lost-update");
+  await page.getByRole("button", { name: /Explore|探索/ }).click();
+  await expect(row(page, 32).or(row(page, 29))).toHaveAttribute("aria-selected", "true");
+}
+
+test("the table has a column for each thread, and each value before and after", async ({
+  page,
+}) => {
+  await exploreLostUpdate(page);
+  const panel = page.locator("#interleaving");
+  await expect(panel.getByRole("heading", { level: 3 })).toHaveText("parts is 12, expected 15");
+  await expect(table(page).getByRole("columnheader")).toHaveText([
+    "step",
+    "0 count",
+    "1 count",
+    "parts",
+  ]);
+  const cells = (step: number) => row(page, step).getByRole("gridcell");
+  await expect(cells(1)).toHaveText(["1", /copy = parts;.*copy 10/, "", /reads 10/]);
+  await expect(cells(4)).toHaveText(["4", "", "parts = copy;", /10 → 11/]);
+  await expect(cells(5)).toHaveText(["5–7", "", "3 statements, nothing shared", ""]);
+  await expect(row(page, 22).locator(".lost")).toHaveText("13 → 11");
+  // What is lost is lost after step 2.
+  const order = await table(page).getByRole("row").allTextContents();
+  const band = order.findIndex((text) => text.includes("every continuation fails"));
+  expect(order[band - 1]).toMatch(/^2/);
+  await expectAccessible(page);
+});
+
+test("a row leads to its step: timeline, values and editor follow", async ({ page }) => {
+  await exploreLostUpdate(page);
+  const parts = page.getByLabel("Change parts", { exact: true });
+  await row(page, 16).click();
+  await expect(row(page, 16)).toHaveAttribute("aria-selected", "true");
+  await expect(parts).toHaveValue("13");
+  await row(page, 22).click();
+  await expect(parts).toHaveValue("11");
+  await expect(page.locator(".cm-next")).toContainText("n = n - 1;");
+  // A row of several steps leads to after the last one.
+  await row(page, 5).click();
+  await expect(row(page, 5)).toHaveAttribute("aria-selected", "true");
+});
+
+test("the arrows go through the steps, and what steps does moves the row", async ({ page }) => {
+  await exploreLostUpdate(page);
+  await table(page).focus();
+  await page.keyboard.press("Home");
+  await expect(row(page, 1)).toHaveAttribute("aria-selected", "true");
+  await page.keyboard.press("ArrowDown");
+  await expect(row(page, 2)).toHaveAttribute("aria-selected", "true");
+  await expect(table(page)).toHaveAttribute("aria-activedescendant", "step-2");
+  await page.keyboard.press("F8");
+  await expect(row(page, 3)).toHaveAttribute("aria-selected", "true");
+  await page.keyboard.press("End");
+  await expect(row(page, 29)).toHaveAttribute("aria-selected", "true");
+});
+
+test("after another choice the table says nothing of the card, and leads back", async ({
+  page,
+}) => {
+  await exploreLostUpdate(page);
+  await row(page, 1).click();
+  await expect(row(page, 1)).toHaveAttribute("aria-selected", "true");
+  await page.getByRole("button", { name: /^Let thread 0 / }).click();
+  await expect(page.locator("#interleaving tr.now")).toHaveCount(0);
+  await row(page, 22).click();
+  await expect(row(page, 22)).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByLabel("Change parts", { exact: true })).toHaveValue("11");
+});
+
+test("an edit takes the table away", async ({ page }) => {
+  await exploreLostUpdate(page);
+  await editor(page).press("Control+End");
+  await page.keyboard.type(" ");
+  await expect(page.locator("#interleaving")).toHaveCount(0);
+});
+
+test("what repeats for ever is said, and goes on counting", async ({ page }) => {
+  await open(page, "#lesson=lock");
+  await page.getByRole("button", { name: "Explore" }).click();
+  await expect(table(page)).toContainText("And then for ever:");
+  const numbers = await table(page).locator("td.number").allTextContents();
+  expect(numbers).toEqual(numbers.map((_, index) => String(index + 1)));
+  await row(page, numbers.length).click();
+  await expect(row(page, numbers.length)).toHaveAttribute("aria-selected", "true");
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 } });
+
+  test("the table comes to the front, and the lesson is there when it goes", async ({ page }) => {
+    await open(page, "#lesson=lost-update");
+    await page.getByRole("button", { name: "Explore" }).click();
+    await expect(table(page)).toBeVisible();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    await row(page, 22).click();
+    await expect(row(page, 22)).toHaveAttribute("aria-selected", "true");
+    await expectAccessible(page);
+    await page.evaluate(() => {
+      location.hash = "#lesson=loops";
+    });
+    await expect(page.locator("#lesson")).toBeVisible();
+    await expect(page.locator("#interleaving")).toHaveCount(0);
+    await expect(status(page)).toHaveText("Card ready.");
+  });
+});
