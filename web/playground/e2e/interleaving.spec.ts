@@ -2,7 +2,7 @@
 
 import { expect, type Locator, type Page, test } from "@playwright/test";
 
-import { editor, expectAccessible, open, status } from "./support.js";
+import { editor, expectAccessible, open, openOwn, status, write } from "./support.js";
 
 const table = (page: Page): Locator => page.getByRole("grid", { name: /Failing run|失败的运行/ });
 const row = (page: Page, step: number): Locator => page.locator(`#step-${step}`);
@@ -34,7 +34,25 @@ test("the table has a column for each thread, and each value before and after", 
   const order = await table(page).getByRole("row").allTextContents();
   const band = order.findIndex((text) => text.includes("every continuation fails"));
   expect(order[band - 1]).toMatch(/^2/);
+  await expect(page.locator(".stale-words")).toHaveText(
+    "Thread 0 keeps the old 10while thread 1 makes it 13.",
+  );
   await expectAccessible(page);
+});
+
+test("an arrow leads from the stale read to the lost write", async ({ page }) => {
+  await exploreLostUpdate(page);
+  const boxOf = async (place: Locator) => {
+    const box = await place.boundingBox();
+    if (!box) throw new Error("it is not drawn");
+    return box;
+  };
+  const arrow = await boxOf(page.locator(".stale-arrow path").first());
+  const middle = (box: { y: number; height: number }) => box.y + box.height / 2;
+  const read = await boxOf(row(page, 1));
+  const lost = await boxOf(row(page, 22));
+  expect(Math.abs(arrow.y - middle(read))).toBeLessThan(6);
+  expect(Math.abs(arrow.y + arrow.height - middle(lost))).toBeLessThan(6);
 });
 
 test("a row leads to its step: timeline, values and editor follow", async ({ page }) => {
@@ -93,6 +111,35 @@ test("what repeats for ever is said, and goes on counting", async ({ page }) => 
   expect(numbers).toEqual(numbers.map((_, index) => String(index + 1)));
   await row(page, numbers.length).click();
   await expect(row(page, numbers.length)).toHaveAttribute("aria-selected", "true");
+  await expect(page.locator(".stale-arrow")).toHaveCount(0);
+});
+
+test("passes of a loop are one row", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(
+    page,
+    "int x;\nint main()\n{\n  int i;\n  int m;\n  i = 5;\nagain:\n  x = x + 1;\n  i = i - 1;\n" +
+      "  m = i > 0;\n  if (m) goto again;\n}\n",
+  );
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\nfinal = ["x == 9"]\n');
+  await expect(page.getByText("No messages")).toBeVisible();
+  await page.getByRole("button", { name: "Explore" }).click();
+  const passes = table(page).getByRole("row").filter({ hasText: "× 4 more" });
+  await expect(passes).toContainText("1 → 5");
+  await passes.click();
+  await expect(passes).toHaveAttribute("aria-selected", "true");
+});
+
+test("it is in Chinese, and accessible in the dark", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  await open(page, "#lesson=lost-update");
+  await page.getByRole("button", { name: /Chinese/ }).click();
+  await page.getByRole("button", { name: "探索" }).click();
+  await expect(table(page)).toContainText("从这里起，怎样继续都会失败。");
+  await expect(page.locator("#interleaving h3")).toHaveText("parts 为 12，应为 15");
+  await expectAccessible(page);
 });
 
 test.describe("on a phone", () => {

@@ -23,6 +23,7 @@ import "./style/elements.css";
 import "./style/frame.css";
 import "./style/parts.css";
 import "./interleaving/table.css";
+import "./interleaving/arrow.css";
 
 keepSettings(navigator.language);
 applySettings();

@@ -1,11 +1,12 @@
 // A failing run as a table with a column for each thread: what each statement made, the values of
-// shared variables before and after, and the step from which every continuation fails. It knows neither
-// the page nor its session.
+// shared variables before and after, the step from which every continuation fails, and an arrow from a
+// stale read to the write that it led to. It knows neither the page nor its session.
 
 import type { Interleaving } from "@oncard/engine";
 import { Fragment, type TargetedKeyboardEvent } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
+import { type ArrowWords, StaleArrow } from "./arrow.js";
 import {
   inMemory,
   isLostWrite,
@@ -18,7 +19,7 @@ import {
 } from "./cells.js";
 
 /** The words of the table. */
-export interface TableWords {
+export interface TableWords extends ArrowWords {
   label: string;
   step: string;
   shared: string;
@@ -140,6 +141,7 @@ export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
             ))}
           </tbody>
         </table>
+        <StaleArrow table={table} run={run} rows={rows} words={words} isShared={isShared} />
       </div>
     </div>
   );

@@ -275,6 +275,8 @@ export const en = {
     statements: (count: number) => (count === 1 ? "1 statement" : `${count} statements`),
     nothingShared: ", nothing shared",
     fatal: "From here on, every continuation fails.",
+    keeps: (thread: number, value: string) => `Thread ${thread} keeps the old ${value}`,
+    meanwhile: (thread: number, value: string) => `while thread ${thread} makes it ${value}.`,
     forever: "And then for ever:",
     skipped: (statements: number) =>
       statements === 1

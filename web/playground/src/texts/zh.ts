@@ -265,6 +265,8 @@ export const zh: Texts = {
     statements: (count: number) => `${count} 条语句`,
     nothingShared: "，不涉及共享变量",
     fatal: "从这里起，怎样继续都会失败。",
+    keeps: (thread: number, value: string) => `线程 ${thread} 一直拿着旧的 ${value}`,
+    meanwhile: (thread: number, value: string) => `而线程 ${thread} 已把它改为 ${value}。`,
     forever: "然后永远重复：",
     skipped: (statements: number) => `此前的 ${statements} 条语句未列出。`,
   },
