@@ -6,6 +6,7 @@ import { editor, expectAccessible, open, openOwn, status, write } from "./suppor
 
 const table = (page: Page): Locator => page.getByRole("grid", { name: /Failing run|失败的运行/ });
 const row = (page: Page, step: number): Locator => page.locator(`#step-${step}`);
+const now = (page: Page): Locator => page.locator(".now-pill");
 
 async function exploreLostUpdate(page: Page): Promise<void> {
   await open(page, "#lesson=lost-update");
@@ -60,13 +61,23 @@ test("a row leads to its step: timeline, values and editor follow", async ({ pag
   const parts = page.getByLabel("Change parts", { exact: true });
   await row(page, 16).click();
   await expect(row(page, 16)).toHaveAttribute("aria-selected", "true");
+  await expect(now(page)).toHaveText("after step 16");
   await expect(parts).toHaveValue("13");
   await row(page, 22).click();
   await expect(parts).toHaveValue("11");
   await expect(page.locator(".cm-next")).toContainText("n = n - 1;");
   // A row of several steps leads to after the last one.
   await row(page, 5).click();
-  await expect(row(page, 5)).toHaveAttribute("aria-selected", "true");
+  await expect(now(page)).toHaveText("after step 7");
+});
+
+test("the timeline has the numbers of the table", async ({ page }) => {
+  await exploreLostUpdate(page);
+  const numbers = page.locator(".lane-step");
+  await expect(numbers).toHaveCount(32);
+  await expect(page.locator(".lane-step.hit")).toHaveText(["1", "22"]);
+  await expect(page.locator(".lane.t0 .lane-step").nth(1)).toHaveText("21");
+  await expect(page.locator(".fatal-line")).toHaveCount(1);
 });
 
 test("the arrows go through the steps, and what steps does moves the row", async ({ page }) => {
@@ -91,6 +102,7 @@ test("after another choice the table says nothing of the card, and leads back", 
   await expect(row(page, 1)).toHaveAttribute("aria-selected", "true");
   await page.getByRole("button", { name: /^Let thread 0 / }).click();
   await expect(page.locator("#interleaving tr.now")).toHaveCount(0);
+  await expect(page.locator(".lane-step")).toHaveCount(0);
   await row(page, 22).click();
   await expect(row(page, 22)).toHaveAttribute("aria-selected", "true");
   await expect(page.getByLabel("Change parts", { exact: true })).toHaveValue("11");
@@ -139,6 +151,7 @@ test("it is in Chinese, and accessible in the dark", async ({ page }) => {
   await page.getByRole("button", { name: "探索" }).click();
   await expect(table(page)).toContainText("从这里起，怎样继续都会失败。");
   await expect(page.locator("#interleaving h3")).toHaveText("parts 为 12，应为 15");
+  await expect(now(page)).toHaveText("第 32 步之后");
   await expectAccessible(page);
 });
 

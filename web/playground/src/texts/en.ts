@@ -180,6 +180,7 @@ export const en = {
     next: (thread: number) => `Let thread ${thread} execute the next statement`,
     nextShort: "next",
     cursor: "Moment of the session",
+    afterStep: (step: number) => (step === 0 ? "before step 1" : `after step ${step}`),
     position: (moment: number, ms: string) => `moment ${moment}, ${ms} ms`,
     zoomIn: "Zoom in",
     zoomOut: "Zoom out",

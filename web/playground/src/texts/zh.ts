@@ -176,6 +176,7 @@ export const zh: Texts = {
     next: (thread) => `让线程 ${thread} 执行下一条语句`,
     nextShort: "下一个",
     cursor: "会话的时刻",
+    afterStep: (step: number) => (step === 0 ? "第 1 步之前" : `第 ${step} 步之后`),
     position: (moment, ms) => `第 ${moment} 时刻，${ms} ms`,
     zoomIn: "放大",
     zoomOut: "缩小",

@@ -5,6 +5,9 @@ import type { Thread } from "@oncard/engine";
 import { effect, signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
+import { rowOf, touchesShared } from "../interleaving/cells.js";
+import { failingRun, useStepsOnCard } from "../interleaving/failing_run.js";
+import { type Executed, executedAt } from "../interleaving/moments.js";
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { seek } from "../session/seeking.js";
@@ -100,6 +103,46 @@ function Zoom(props: { shown: Span; factor: number; label: string; text: string 
   );
 }
 
+/** In a longer span the numbers of steps would have no room. */
+const mostNumbers = 64;
+
+/** A statement of the failing run, with its number there. */
+interface Step extends Bar {
+  step: number;
+  isShared: boolean;
+  isHit: boolean;
+}
+
+/** What the lanes show of the failing run: its steps in the span, and where it was lost. */
+function stepsIn(
+  { from, to }: Span,
+  executed: readonly Executed[],
+): { steps: Step[]; fatal?: number } {
+  const failing = failingRun.peek()?.interleaving;
+  if (!failing) return { steps: [] };
+  const rows = [...failing.rows, ...(failing.cycle ?? [])];
+  const fatalRow = rows.find((row) => row.kind === "step" && row.fatal === true);
+  const fatal = fatalRow && "step" in fatalRow ? executed[fatalRow.step - 1] : undefined;
+  const part = (moment: number) => (moment - from) / (to - from);
+  const steps = executed.flatMap(({ thread, moment }, index): Step[] => {
+    if (moment <= from || moment > to || to - from > mostNumbers) return [];
+    const row = rowOf(rows, index + 1);
+    return [
+      {
+        thread,
+        from: part(moment - 1),
+        to: part(moment),
+        step: index + 1,
+        isShared: row !== undefined && touchesShared(row),
+        isHit: failing.stale?.read === index + 1 || failing.stale?.use === index + 1,
+      },
+    ];
+  });
+  return fatal && fatal.moment >= from && fatal.moment <= to
+    ? { steps, fatal: part(fatal.moment) }
+    : { steps };
+}
+
 function Rows({ span: shown }: { span: Span }) {
   const { timeline: t } = texts.value;
   const track = useRef<HTMLDivElement>(null);
@@ -127,7 +170,13 @@ function Rows({ span: shown }: { span: Span }) {
       },
       session.running.value,
     ) ?? nothing;
+  const executed = useStepsOnCard();
+  const { steps, fatal } = stepsIn(shown, executed ?? []);
   const isMany = (state?.threads.length ?? 0) > mostHighRows;
+  const now =
+    executed === undefined
+      ? `${number(state?.time_ms ?? 0)} ms`
+      : t.afterStep(executedAt(executed, moment));
   const atCursor = (moment - shown.from) / (shown.to - shown.from);
   const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));
 
@@ -160,9 +209,19 @@ function Rows({ span: shown }: { span: Span }) {
           }}
         >
           {state?.threads.map((thread) => (
-            <Row key={thread.thread} thread={thread} bars={bars} marks={marks} head={atHead} />
+            <Row
+              key={thread.thread}
+              thread={thread}
+              bars={steps.length > 0 && !isMany ? [] : bars}
+              marks={marks}
+              steps={isMany ? [] : steps}
+              head={atHead}
+            />
           ))}
-          <Scale span={shown} cursor={atCursor} />
+          {fatal !== undefined && (
+            <div class="fatal-line" title={texts.value.interleaving.fatal} ref={placed(fatal)} />
+          )}
+          {steps.length === 0 && <Scale span={shown} cursor={atCursor} />}
           <div
             class="cursor"
             role="slider"
@@ -195,7 +254,7 @@ function Rows({ span: shown }: { span: Span }) {
               class={`now-pill ${atCursor > 0.9 ? "at-end" : atCursor < 0.1 ? "at-start" : ""}`}
               aria-hidden="true"
             >
-              {number(state?.time_ms ?? 0)} ms
+              {now}
             </span>
           </div>
         </div>
@@ -298,8 +357,17 @@ function ThreadList({ threads }: { threads: Thread[] }) {
   );
 }
 
-function Row(props: { thread: Thread; bars: Bar[]; marks: Mark[]; head: number }) {
-  const { thread, bars, marks, head } = props;
+/** Puts an element at a part of the track. */
+function placed(from: number, to = from) {
+  return (element: HTMLElement | null): void => {
+    if (!element) return;
+    element.style.left = `${from * 100}%`;
+    if (to > from) element.style.width = `${(to - from) * 100}%`;
+  };
+}
+
+function Row(props: { thread: Thread; bars: Bar[]; marks: Mark[]; steps: Step[]; head: number }) {
+  const { thread, bars, marks, steps, head } = props;
   const isOwn = (each: Bar) => each.thread === thread.thread;
   const own = bars.filter(isOwn);
   const rests = marks.filter((mark) => isOwn(mark) && mark.kind !== "faulted");
@@ -325,6 +393,15 @@ function Row(props: { thread: Thread; bars: Bar[]; marks: Mark[]; head: number }
           <StateMark key={mark.from} mark={mark} />
         ))}
       </svg>
+      {steps.filter(isOwn).map(({ step, from, to, isShared, isHit }) => (
+        <div
+          key={step}
+          class={`lane-step ${isShared ? "shared" : ""} ${isHit ? "hit" : ""}`}
+          ref={placed(from, to)}
+        >
+          <span>{step}</span>
+        </div>
+      ))}
     </div>
   );
 }
