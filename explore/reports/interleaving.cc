@@ -76,6 +76,17 @@ Json RowsJson(StepView view, size_t before, Language language) {
   return rows;
 }
 
+/// An order of a data race up to its end.
+Json OrderJson(const Findings& findings, const RaceOrder& order, Language language) {
+  StepView view = {findings.subject, order.steps, findings.source};
+  view.detail = Detail::kFlow;
+  view.named = {order.racing.begin(), order.racing.end()};
+  return {{"first", order.first},
+          {"racing", {order.racing[0] + 1, order.racing[1] + 1}},
+          {"end", order.end},
+          {"rows", RowsJson(view, 0, language)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json InterleavingJson(const Findings& findings, const Failure& failure,
@@ -102,6 +113,9 @@ nlohmann::ordered_json InterleavingJson(const Findings& findings, const Failure&
                      {"value", stale.value},       {"changed", stale.changed},
                      {"read", stale.read + 1},     {"write", stale.write + 1},
                      {"use", stale.use + 1}};
+  }
+  for (const RaceOrder& order : trail.orders) {
+    json["orders"].push_back(OrderJson(findings, order, language));
   }
   return json;
 }

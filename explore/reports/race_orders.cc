@@ -18,12 +18,15 @@ namespace {
 /// a thread may take: a thread that waits in a loop must let the others continue.
 constexpr int64_t kStepMax = 100'000;
 constexpr int64_t kTurnMax = 1000;
+/// So many statements of an order are shown after the racing ones.
+constexpr size_t kFollowingMax = 500;
 
 /// The result of an order: what the racing statements read (`[y = 0]`) and write, and the end.
 struct Outcome {
   std::string after;
   std::vector<std::string> names;
   std::vector<std::string> values;
+  std::vector<uint8_t> schedule;
 };
 
 std::vector<vm::SlotAddress> Globals(const vm::Object& object) {
@@ -36,7 +39,9 @@ std::vector<vm::SlotAddress> Globals(const vm::Object& object) {
   return slots;
 }
 
-void RunToEnd(Model* model) {
+/// Notes the first statements.
+void RunToEnd(Model* model, std::vector<uint8_t>* schedule) {
+  const size_t shown = schedule->size() + kFollowingMax;
   int64_t turn = 0;
   int last = -1;
   for (int64_t i = 0; i < kStepMax && model->runnable() != 0; ++i) {
@@ -47,6 +52,7 @@ void RunToEnd(Model* model) {
       turn = 0;
     }
     model->Step(last);
+    if (schedule->size() < shown) schedule->push_back(static_cast<uint8_t>(last));
   }
 }
 
@@ -85,7 +91,8 @@ std::optional<Outcome> Take(const Problem& problem, const std::vector<uint8_t>& 
   }
   Outcome outcome;
   outcome.after = reads[0] + reads[1] + present();
-  RunToEnd(&model);
+  outcome.schedule = steps;
+  RunToEnd(&model, &outcome.schedule);
   for (const vm::SlotAddress& slot : Globals(object)) {
     outcome.names.push_back(NameOf(global, slot, object));
     outcome.values.push_back(ValueText(global, slot, model.Read(slot), object));
@@ -143,8 +150,18 @@ std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure
   const auto one = Take(problem, as_run, race);
   const auto two = Take(problem, other, race);
   if (!one || !two) return {};
-  return {{problem.model.setup(held).thread, one->after, Differences(*one, *two)},
-          {problem.model.setup(ahead).thread, two->after, Differences(*two, *one)}};
+  // In the other order both statements are the last ones of what was arranged.
+  const size_t length = other.size();
+  return {{problem.model.setup(held).thread,
+           one->after,
+           Differences(*one, *two),
+           one->schedule,
+           {static_cast<size_t>(earlier), static_cast<size_t>(later)}},
+          {problem.model.setup(ahead).thread,
+           two->after,
+           Differences(*two, *one),
+           two->schedule,
+           {length - 2, length - 1}}};
 }
 
 }  // namespace oncard::explore

@@ -10,8 +10,8 @@
 namespace oncard::explore {
 
 /// Executes the two statements of a data race in both orders, each time followed by the rest of the
-/// threads one after the other. The order of the failing run comes first. Empty if there is no data
-/// race, or if the other order is not possible.
+/// threads one after the other, of which at most 500 statements are noted. The order of the failing
+/// run comes first. Empty if there is no data race, or if the other order is not possible.
 std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure);
 
 }  // namespace oncard::explore

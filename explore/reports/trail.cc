@@ -107,6 +107,22 @@ std::unique_ptr<runtime::Controller> CardOf(const Model& model) {
   return controller;
 }
 
+/// The statements of a schedule from the beginning on.
+std::vector<TrailStep> StepsOf(const Problem& problem, const std::vector<uint8_t>& schedule) {
+  const auto controller = CardOf(problem.model);
+  vm::Machine& machine = controller->machine();
+  runtime::StepWatch watch(*controller);
+  std::vector<TrailStep> steps;
+  for (const uint8_t thread : schedule) {
+    const int number = problem.model.setup(thread).thread;
+    watch.Before();
+    machine.ExecuteOne(number);
+    machine.Execute(0);
+    steps.push_back({thread, watch.After(number)});
+  }
+  return steps;
+}
+
 // --- What is, and what should be -----------------------------------------------------------------
 
 /// The comparison sign before the expected number; none if the values should be equal.
@@ -373,6 +389,7 @@ Trail Follow(const Problem& problem, const Failure& failure) {
   follow(failure.cycle, &trail.cycle);
   trail.starvation = DescribeStarvation(trail.cycle, subject.image->object);
   trail.orders = BothOrders(problem, failure);
+  for (RaceOrder& order : trail.orders) order.steps = StepsOf(problem, order.schedule);
   return trail;
 }
 

@@ -2,6 +2,8 @@
 // tests/explore/failure_test.cc and tests/explore/report_test.cc.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,6 +82,10 @@ struct RaceOrder {
       after;  ///< `[x = 0] x = 2`: the values that they read, and the common variable after both
   /// The final values, as in `x = 2, y = 0`, of the globals for which the two orders differ.
   std::string end;
+  /// Threads of the model: those of the statements up to the end, or of as many as are shown.
+  std::vector<uint8_t> schedule = {};
+  std::array<size_t, 2> racing = {};  ///< the two statements, as indices in `schedule`
+  std::vector<TrailStep> steps = {};  ///< the statements of `schedule`
 };
 
 /// The statements of a failure, and those that then repeat for ever.

@@ -80,6 +80,32 @@ TEST(InterleavingTest, StepsThatRepeatForEverGoOnCounting) {
   EXPECT_FALSE(json.contains("stale"));
 }
 
+// Nothing orders the write of thread 0 and the read of thread 1.
+TEST(InterleavingTest, ADataRaceHasBothOrdersUpToTheirEnds) {
+  const Json json = InterleavingOf(
+      "int y, z;\n//@ races: none\n"
+      "int t0() {\n  y = 200;\n  return 0;\n}\n"
+      "int t1() {\n  int got;\n  got = y;\n  z = got;\n  return 0;\n}\n");
+  ASSERT_EQ(json["orders"].size(), 2u) << json;
+  for (const Json& order : json["orders"]) {
+    const Json& rows = order["rows"];
+    const bool write_first = order["first"] == 0;
+    EXPECT_EQ(order["end"], write_first ? "z = 200" : "z = 0");
+    const auto lines = Lines(rows);
+    const auto at = [&](size_t which) { return order["racing"][which].get<size_t>() - 1; };
+    EXPECT_EQ(rows[at(0)]["thread"], order["first"]);
+    EXPECT_NE(rows[at(1)]["thread"], order["first"]);
+    const Json& read = rows[at(write_first ? 1 : 0)];
+    EXPECT_EQ(read["statement"], "got = y;");
+    EXPECT_EQ(read["reads"][0]["value"], write_first ? "200" : "0");
+    EXPECT_EQ(rows.back()["last"], 5) << "both threads have ended";
+  }
+}
+
+TEST(InterleavingTest, WhatIsNoRaceHasNoOrders) {
+  EXPECT_FALSE(InterleavingOf(Increments(2, 1)).contains("orders"));
+}
+
 TEST(InterleavingTest, PassesOfALoopAreOneRow) {
   const Json json = InterleavingOf(
       "int x;\n//@ final: x == 9\n"

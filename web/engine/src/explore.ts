@@ -48,6 +48,17 @@ export type InterleavingRow =
   | { kind: "time"; ms: number }
   | { kind: "host"; ms: number; statement: string };
 
+/** One of the two orders of a data race, up to its end. */
+export interface RaceOrder {
+  /** The thread whose statement is first. */
+  first: number;
+  /** The steps of the two statements. */
+  racing: [number, number];
+  /** The final values that differ from those of the other order. */
+  end: string;
+  rows: InterleavingRow[];
+}
+
 /** A failing run as a table with a column for each thread. Steps are numbered from 1. */
 export interface Interleaving {
   /** What does not hold. */
@@ -74,6 +85,8 @@ export interface Interleaving {
     write: number;
     use: number;
   };
+  /** Of a data race without time: first the order that was found. */
+  orders?: RaceOrder[];
 }
 
 export interface ExploreAnswer extends Compiled {
