@@ -144,6 +144,32 @@ test("passes of a loop are one row", async ({ page }) => {
   await expect(passes).toHaveAttribute("aria-selected", "true");
 });
 
+test("both orders of a data race stand side by side", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(
+    page,
+    "int y;\nint z;\nint give()\n{\n  y = 200;\n}\nint take()\n{\n  int got;\n  got = y;\n  z = got;\n}\n",
+  );
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(
+    page,
+    'program = "program.c"\nraces = "none"\n[[thread]]\nfunction = "give"\n' +
+      '[[thread]]\nthread = 1\nfunction = "take"\n',
+  );
+  await expect(page.getByText("No messages")).toBeVisible();
+  await page.getByRole("button", { name: "Explore" }).click();
+  await page.getByRole("button", { name: "Both", exact: true }).click();
+  const order = (thread: number) => page.getByRole("region", { name: `Thread ${thread} first` });
+  await expect(order(0).getByRole("heading")).toContainText("at the end z = 200");
+  await expect(order(1).getByRole("heading")).toContainText("at the end z = 0");
+  await expect(order(0).locator(".hit")).toHaveText([/y = 200;/, /got = y;/]);
+  await expect(order(1).locator(".hit")).toHaveText([/got = y;/, /y = 200;/]);
+  await expectAccessible(page);
+  await page.getByRole("button", { name: "This order" }).click();
+  await expect(table(page)).toBeVisible();
+});
+
 test("it is in Chinese, and accessible in the dark", async ({ page }) => {
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
   await open(page, "#lesson=lost-update");

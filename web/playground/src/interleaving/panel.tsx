@@ -1,5 +1,8 @@
 // The failing run of an exploration: what is wrong in a sentence, and how it came to it.
 
+import type { Interleaving } from "@oncard/engine";
+import { useState } from "preact/hooks";
+
 import { present } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
 import { failingRun, goToStep, useStepsOnCard } from "./failing_run.js";
@@ -9,8 +12,11 @@ import { InterleavingTable } from "./table.js";
 export function InterleavingPanel() {
   const { value: found } = failingRun;
   const steps = useStepsOnCard();
+  const [isBoth, setBoth] = useState(false);
   if (!found) return null;
   const { interleaving: failing } = found;
+  const { interleaving: t } = texts.value;
+  const { stale, orders } = failing;
   const now = steps && executedAt(steps, present.state.value?.moment ?? 0);
   return (
     <>
@@ -27,13 +33,60 @@ export function InterleavingPanel() {
             failing.actual !== undefined && <p>{failing.reason}</p>
           )}
         </div>
+        {orders && (
+          <div class="tabs" role="group" aria-label={t.orders}>
+            {[false, true].map((both) => (
+              <button
+                key={String(both)}
+                type="button"
+                class="tab"
+                aria-pressed={isBoth === both}
+                onClick={() => {
+                  setBoth(both);
+                }}
+              >
+                {both ? t.bothOrders : t.thisOrder}
+              </button>
+            ))}
+          </div>
+        )}
       </header>
-      <InterleavingTable
-        run={failing}
-        now={now}
-        words={texts.value.interleaving}
-        onGoTo={(step) => void goToStep(step)}
-      />
+      {orders && isBoth ? (
+        <BothOrders failing={failing} orders={orders} />
+      ) : (
+        <InterleavingTable
+          run={failing}
+          now={now}
+          words={t}
+          framed={stale ? [stale.read, stale.use] : (orders?.[0]?.racing ?? [])}
+          name="step"
+          onGoTo={(step) => void goToStep(step)}
+        />
+      )}
     </>
+  );
+}
+
+/** The two orders of a data race side by side, each with its end. */
+function BothOrders(props: { failing: Interleaving; orders: NonNullable<Interleaving["orders"]> }) {
+  const { interleaving: t } = texts.value;
+  const { threads, reason } = props.failing;
+  return (
+    <div class="orders">
+      {props.orders.map(({ first, racing, end, rows }) => (
+        <section key={first} aria-label={t.first(first)}>
+          <h4>
+            {t.first(first)} <span>{end === "" ? t.sameEnd : t.end(end)}</span>
+          </h4>
+          <InterleavingTable
+            run={{ reason, threads, skipped: 0, rows }}
+            now={undefined}
+            words={{ ...t, label: t.first(first) }}
+            framed={racing}
+            name={`order-${first}`}
+          />
+        </section>
+      ))}
+    </div>
   );
 }

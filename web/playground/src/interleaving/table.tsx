@@ -36,8 +36,12 @@ export interface TableInputs {
   /** The step that was executed last; 0 before the first one, undefined if this run is not on the card. */
   now: number | undefined;
   words: TableWords;
-  /** The reader wants to be after this step. */
-  onGoTo: (step: number) => void;
+  /** Steps with a frame. */
+  framed: readonly number[];
+  /** Begins the ids of the rows. */
+  name: string;
+  /** The reader wants to be after this step; missing: nothing can be wanted. */
+  onGoTo?: (step: number) => void;
 }
 
 /** With more threads than this, they share one column. */
@@ -45,7 +49,7 @@ const mostColumns = 4;
 /** So many rows are drawn at most: the last ones, where the run fails. */
 const mostRows = 1000;
 
-export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
+export function InterleavingTable({ run, now, words, framed, name, onGoTo }: TableInputs) {
   const table = useRef<HTMLTableElement>(null);
   const all = [...run.rows, ...(run.cycle ?? [])];
   const cut = Math.max(0, all.length - mostRows);
@@ -79,10 +83,10 @@ export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
     const place = places[to[event.key] ?? -1];
     if (!place) return;
     event.preventDefault();
-    onGoTo(place.last);
+    onGoTo?.(place.last);
   };
   return (
-    <div class="interleaving-table scroll">
+    <div class={`interleaving-table scroll ${onGoTo ? "" : "still"}`}>
       {skipped > 0 && <p class="muted small">{words.skipped(skipped)}</p>}
       <div class="interleaving-sheet">
         <table
@@ -90,7 +94,7 @@ export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
           role="grid"
           aria-label={words.label}
           aria-readonly="true"
-          aria-activedescendant={at && `step-${at.step}`}
+          aria-activedescendant={at && `${name}-${at.step}`}
           tabIndex={0}
           onKeyDown={move}
         >
@@ -102,9 +106,9 @@ export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
               {isShared ? (
                 <th scope="col" />
               ) : (
-                run.threads.map(({ thread, function: name }) => (
+                run.threads.map(({ thread, function: called }) => (
                   <th key={thread} scope="col" class={`t${thread % 8}`}>
-                    <Badge thread={thread} /> {name}
+                    <Badge thread={thread} /> {called}
                   </th>
                 ))
               )}
@@ -125,6 +129,8 @@ export function InterleavingTable({ run, now, words, onGoTo }: TableInputs) {
                     isNow={row === at}
                     isShared={isShared}
                     named={names.length > 1}
+                    isHit={framed.includes(row.step)}
+                    id={`${name}-${row.step}`}
                     onGoTo={onGoTo}
                   />
                 ) : (
@@ -168,11 +174,11 @@ function Row(props: {
   isShared: boolean;
   /** Values have the names of their variables. */
   named: boolean;
-  onGoTo: (step: number) => void;
+  isHit: boolean;
+  id: string;
+  onGoTo: TableInputs["onGoTo"];
 }) {
-  const { row, run, words, isNow, isShared, named, onGoTo } = props;
-  const { stale } = run;
-  const isHit = stale !== undefined && (row.step === stale.read || row.step === stale.use);
+  const { row, run, words, isNow, isShared, named, isHit, id, onGoTo } = props;
   const column = isShared ? 0 : run.threads.findIndex(({ thread }) => thread === row.thread);
   const columns = isShared ? 1 : run.threads.length;
   const cell = (
@@ -199,11 +205,11 @@ function Row(props: {
   );
   return (
     <tr
-      id={`step-${row.step}`}
+      id={id}
       class={isNow ? "now" : ""}
       aria-selected={isNow}
       onClick={() => {
-        onGoTo(row.last);
+        onGoTo?.(row.last);
       }}
     >
       <td class="number">{numberOf(row)}</td>

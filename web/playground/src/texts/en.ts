@@ -278,6 +278,12 @@ export const en = {
     fatal: "From here on, every continuation fails.",
     keeps: (thread: number, value: string) => `Thread ${thread} keeps the old ${value}`,
     meanwhile: (thread: number, value: string) => `while thread ${thread} makes it ${value}.`,
+    orders: "Orders",
+    thisOrder: "This order",
+    bothOrders: "Both",
+    first: (thread: number) => `Thread ${thread} first`,
+    end: (values: string) => `at the end ${values}`,
+    sameEnd: "the ends are the same",
     forever: "And then for ever:",
     skipped: (statements: number) =>
       statements === 1
