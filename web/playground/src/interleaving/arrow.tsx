@@ -24,8 +24,10 @@ export function StaleArrow(props: {
   rows: readonly InterleavingRow[];
   words: ArrowWords;
   isShared: boolean;
+  /** Begins the ids of the rows. */
+  name: string;
 }) {
-  const { table, run, rows, words, isShared } = props;
+  const { table, run, rows, words, isShared, name } = props;
   const { stale } = run;
   const [place, setPlace] = useState<Place>();
   useLayoutEffect(() => {
@@ -35,7 +37,7 @@ export function StaleArrow(props: {
       return undefined;
     }
     const measure = () => {
-      setPlace(placeOf(sheet, rows, stale, isShared));
+      setPlace(placeOf(sheet, rows, stale, isShared, name));
     };
     measure();
     const watch = new ResizeObserver(measure);
@@ -43,7 +45,7 @@ export function StaleArrow(props: {
     return () => {
       watch.disconnect();
     };
-  }, [run, isShared]);
+  }, [run, isShared, name]);
   if (!stale || !place) return null;
   const thread = rowOf(rows, stale.read)?.thread ?? 0;
   const other = rowOf(rows, stale.write)?.thread;
@@ -81,12 +83,13 @@ function placeOf(
   rows: readonly InterleavingRow[],
   stale: NonNullable<Interleaving["stale"]>,
   isShared: boolean,
+  name: string,
 ): Place | undefined {
   const box = table.getBoundingClientRect();
   const rowAt = (index: number) => {
     const row = rows[index];
     return row && isStatementRow(row)
-      ? table.querySelector<HTMLElement>(`#step-${row.step}`)
+      ? table.querySelector<HTMLElement>(`#${name}-${row.step}`)
       : undefined;
   };
   const indexOf = (step: number) => rows.findIndex((row) => row === rowOf(rows, step));

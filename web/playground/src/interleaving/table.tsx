@@ -57,7 +57,7 @@ export function InterleavingTable({ run, now, words, framed, name, onGoTo }: Tab
   const isShared = run.threads.length > mostColumns;
   const columns = isShared ? 1 : run.threads.length;
   const names = sharedNames(all);
-  const at = now === undefined ? undefined : (rowOf(all, now) ?? undefined);
+  const at = now === undefined ? undefined : rowOf(all, now);
   const places = rows.filter(isStatementRow);
   const firstOfCycle = run.cycle?.[0];
   const skipped = run.skipped + (cut > 0 ? (places[0]?.step ?? 1) - 1 : 0);
@@ -147,7 +147,14 @@ export function InterleavingTable({ run, now, words, framed, name, onGoTo }: Tab
             ))}
           </tbody>
         </table>
-        <StaleArrow table={table} run={run} rows={rows} words={words} isShared={isShared} />
+        <StaleArrow
+          table={table}
+          run={run}
+          rows={rows}
+          words={words}
+          isShared={isShared}
+          name={name}
+        />
       </div>
     </div>
   );
