@@ -157,6 +157,7 @@ test("another tab with the same text, another lesson or nonsense changes nothing
   expect(source.shelf.value).toBe(shelf);
   takeFromElsewhere("shelf.first", shelf);
   expect(source.shelf.value).toEqual(shelf);
+  expect(source.isElsewhere.value).toBe(false);
 });
 
 test("a sample becomes a program of one's own, with its words and channels", () => {

@@ -13,6 +13,7 @@ import {
   type Files,
   openFiles,
   readShelf,
+  sameFiles,
   type Shelf,
   withoutOpen,
   withProgram,
@@ -140,10 +141,13 @@ export function takeFromElsewhere(key: string, value: unknown): void {
   const theirs = readShelf(value);
   if (!theirs) return;
   const mine = files.peek();
+  const { programs: known } = source.shelf.peek();
+  // What this tab has read since it was kept is told, too.
+  const isNew = theirs.programs.some((each) => !known.some((other) => sameFiles(each, other)));
   const { open, programs } = withProgram(theirs, mine);
   change({
     // The same object: what is on the card has not been edited.
     shelf: { open, programs: programs.map((each, index) => (index === open ? mine : each)) },
-    isElsewhere: true,
+    isElsewhere: isNew || source.isElsewhere.peek(),
   });
 }
