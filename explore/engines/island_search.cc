@@ -4,11 +4,13 @@
 #include <bit>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "explore/models/card_steps.h"
 #include "explore/models/key_set.h"
 #include "explore/models/whole_states.h"
+#include "vm/arithmetic.h"
 
 namespace oncard::explore {
 namespace {
@@ -19,17 +21,22 @@ class IslandSearch {
   using State = typename States::State;
 
  public:
-  IslandSearch(IslandCard card, const StateLimits& limits, IslandCounts* counts)
+  /// `summed`: Islands::summed().
+  IslandSearch(IslandCard card, const std::vector<uint16_t>& summed, const StateLimits& limits,
+               IslandCounts* counts)
       : card_(std::make_shared<IslandCard>(std::move(card))),
         model_(card_->model),
         states_(&model_),
+        summed_(summed),
         limits_(limits),
         counts_(*counts) {}
 
   /// Searches as long as its threads run. False: a limit was reached, something fails, or what was
   /// computed is not exact.
   bool Run() {
-    if (!Enter(states_.Start())) return false;
+    State start = states_.Start();
+    before_ = SumsIn(start);
+    if (!Enter(std::move(start))) return false;
     while (!waiting_.empty()) {
       // Cycle by cycle, so that few states wait.
       const auto cycle = waiting_.begin();
@@ -51,6 +58,7 @@ class IslandSearch {
       ends_.pop_back();
       const int64_t cycle = states_.CycleOf(state);
       if (IsOver()) return false;
+      NoteSums(state);
       const bool may_end = !card_->lasts || cycle >= model_.last_instant();
       if (may_end && model_.EndRun(states_.Whole(state))) return false;
       if (card_->lasts && cycle < last_cycle && !EnterFrom(states_.EndCycle(state))) return false;
@@ -63,8 +71,30 @@ class IslandSearch {
   /// The cycle in which its last thread can end.
   int64_t last_cycle() const { return last_cycle_; }
   const std::shared_ptr<IslandCard>& card() const { return card_; }
+  /// The values of what sums are asked of, before its threads run.
+  const GlobalSums& before() const { return before_; }
+  /// What it can add to them.
+  const std::set<GlobalSums>& added() const { return added_; }
 
  private:
+  GlobalSums SumsIn(const State& state) {
+    GlobalSums sums;
+    if (summed_.empty()) return sums;
+    model_.Load(states_.Whole(state));
+    for (const uint16_t slot : summed_) {
+      sums.push_back(
+          static_cast<uint32_t>(vm::IntOf(model_.controller().machine().state().globals[slot])));
+    }
+    return sums;
+  }
+
+  /// Notes what has been added at an end of its threads.
+  void NoteSums(const State& state) {
+    GlobalSums added = SumsIn(state);
+    for (size_t i = 0; i < added.size(); ++i) added[i] -= before_[i];
+    added_.insert(std::move(added));
+  }
+
   bool IsOver() const {
     if (limits_.progress != nullptr) {
       limits_.progress->states.store(counts_.states, std::memory_order_relaxed);
@@ -93,7 +123,10 @@ class IslandSearch {
     if (!known_.Insert(states_.KeyOf(state))) return true;
     ++counts_.states;
     if (state.fault) return false;
-    if (states_.Ended(state)) return true;
+    if (states_.Ended(state)) {
+      NoteSums(state);
+      return true;
+    }
     const int64_t cycle = states_.CycleOf(state);
     if (state.finished) {
       last_cycle_ = std::max(last_cycle_, cycle);
@@ -107,6 +140,9 @@ class IslandSearch {
   std::shared_ptr<IslandCard> card_;
   CardModel& model_;
   States states_;
+  const std::vector<uint16_t>& summed_;
+  GlobalSums before_;
+  std::set<GlobalSums> added_;
   const StateLimits& limits_;
   IslandCounts& counts_;
   std::map<int64_t, std::vector<State>> waiting_;  ///< by their cycles
@@ -115,6 +151,45 @@ class IslandSearch {
   runtime::StatementAccess accesses_;
   int64_t last_cycle_ = 0;
 };
+
+/// So many different sums are checked at most.
+constexpr size_t kSumsMax = 100'000;
+
+/// Whether what is required of sums holds whatever each island adds. Counts as a failure where they
+/// are too many. `search_of` gives the search of an island.
+template <typename SearchOf>
+bool SumsHold(const Islands& islands, const vm::Object& object, const SearchOf& search_of,
+              IslandCounts* counts) {
+  if (islands.summed().empty()) return true;
+  std::set<GlobalSums> sums = {search_of(islands.all().front()).before()};
+  std::vector<int> adding(islands.summed().size());  // islands
+  for (const Island& island : islands.all()) {
+    const std::set<GlobalSums>& added = search_of(island).added();
+    std::set<GlobalSums> next;
+    for (const GlobalSums& sum : sums) {
+      for (const GlobalSums& more : added) {
+        GlobalSums both = sum;
+        for (size_t i = 0; i < both.size(); ++i) both[i] += more[i];
+        next.insert(std::move(both));
+        if (next.size() > kSumsMax) return false;
+      }
+    }
+    sums = std::move(next);
+    for (size_t i = 0; i < adding.size(); ++i) {
+      if (std::ranges::any_of(added, [&](const GlobalSums& more) { return more[i] != 0; })) {
+        ++adding[i];
+      }
+    }
+  }
+  for (size_t i = 0; i < adding.size(); ++i) {
+    if (adding[i] > 1) {
+      counts->sums.push_back(
+          runtime::NameOf({gtcalls::Resource::kVariable, islands.summed()[i]}, object));
+    }
+  }
+  return std::ranges::all_of(sums,
+                             [&](const GlobalSums& values) { return islands.HoldsWith(values); });
+}
 
 /// `exact` becomes false if there is no proof because of what was computed of states.
 template <typename States>
@@ -131,7 +206,7 @@ std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const 
     }
     auto card = islands.Build(i, whole);
     if (!card) return std::nullopt;
-    search = std::make_unique<OfIsland>(*std::move(card), limits, &proof.counts);
+    search = std::make_unique<OfIsland>(*std::move(card), islands.summed(), limits, &proof.counts);
     const bool good = search->Run();
     *exact = *exact && search->exact();
     if (!*exact) return std::nullopt;
@@ -153,6 +228,10 @@ std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const 
     std::vector<int>& threads = proof.counts.threads.emplace_back();
     for (const ThreadSetup& setup : search.card()->model.setups()) threads.push_back(setup.thread);
   }
+  const auto search_of = [&](const Island& island) -> const OfIsland& {
+    return *searches[island.threads];
+  };
+  if (!SumsHold(islands, whole.image()->object, search_of, &proof.counts)) return std::nullopt;
   return proof;
 }
 

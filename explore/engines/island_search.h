@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "explore/engines/state_graph.h"
@@ -17,6 +18,8 @@ namespace oncard::explore {
 struct IslandCounts {
   /// The numbers of the threads of each island on the card, in the order of the first ones.
   std::vector<std::vector<int>> threads;
+  /// The globals whose value at the end is the sum of what several of them add.
+  std::vector<std::string> sums;
   int64_t states = 0;  ///< of all islands, those that were joined included
   int64_t transitions = 0;
 };
@@ -31,7 +34,7 @@ struct IslandProof {
 };
 
 /// Empty if it is no proof: a limit was reached, the islands turn out to be one, or something fails
-/// in one of them, which need not happen in the program.
+/// in one of them or for a sum of what they add, which need not happen in the program.
 std::optional<IslandProof> ProveByIslands(const CardModel& whole, Islands islands,
                                           const StateLimits& limits);
 

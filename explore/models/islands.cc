@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/trim.h"
-#include "runtime/conditions/card_condition.h"
+#include "explore/models/added_globals.h"
 #include "runtime/scenario/run/vacuity.h"
+#include "vm/arithmetic.h"
 
 namespace oncard::explore {
 namespace {
@@ -82,8 +83,11 @@ std::optional<Islands> Islands::Of(const CardModel& whole) {
                                 {{Resource::kProgram, static_cast<uint32_t>(setup.thread), true},
                                  {Resource::kThread, static_cast<uint32_t>(setup.page), true}}});
   }
+  if (!islands.ReadParts(whole)) return std::nullopt;
+  islands.FindSums(whole);
   islands.Watch(&watched.value());
-  if (!islands.AddAsserts(whole) || !islands.AddParts(whole)) return std::nullopt;
+  if (!islands.AddAsserts(whole)) return std::nullopt;
+  islands.AssignParts();
   islands.Join();
   if (islands.islands_.size() < 2) return std::nullopt;
   return islands;
@@ -93,9 +97,8 @@ void Islands::Watch(CardModel* model) {
   CardModel::State state = model->Begin();
   for (int64_t i = 0; i < kWatchedStatements && !state.ended; ++i) {
     const int thread = std::countr_zero(state.choices);
-    runtime::AddAccesses(
-        runtime::NextLastingAccess(model->controller(), model->setup(thread).thread),
-        &islands_[static_cast<size_t>(thread)].accesses);
+    AddAccesses(runtime::NextLastingAccess(model->controller(), model->setup(thread).thread),
+                static_cast<size_t>(thread));
     model->Advance(&state, thread);
   }
 }
@@ -107,13 +110,13 @@ bool Islands::AddAsserts(const CardModel& whole) {
     for (const vm::Assert& assert : object.functions[static_cast<size_t>(setup.function)].asserts) {
       const auto access = whole.AccessOfAssert(i, assert);
       if (!access) return false;
-      runtime::AddAccesses(*access, &islands_[static_cast<size_t>(i)].accesses);
+      AddAccesses(*access, static_cast<size_t>(i));
     }
   }
   return true;
 }
 
-bool Islands::AddParts(const CardModel& whole) {
+bool Islands::ReadParts(const CardModel& whole) {
   const std::vector<runtime::Expectation>& expectations = whole.scenario().expectations;
   const std::vector<Requirement> requirements = whole.Requirements();
   for (size_t i = 0; i < requirements.size() && requirements[i].scope != Scope::kAssert; ++i) {
@@ -131,32 +134,92 @@ bool Islands::AddParts(const CardModel& whole) {
         if (!expectation.ok()) return false;
         part.expectation = std::move(expectation).value();
       }
-      if (!AddPart(std::move(part), whole)) return false;
+      if (!ReadPart(std::move(part), whole)) return false;
     }
   }
   return true;
 }
 
-bool Islands::AddPart(Part part, const CardModel& whole) {
+bool Islands::ReadPart(Part part, const CardModel& whole) {
   part.lasts = part.requirement.scope == Scope::kWithin;
   for (const std::string* side : {&part.requirement.text, &part.requirement.then}) {
     if (side->empty()) continue;
-    const auto bound = runtime::CardCondition::Read(*side, whole.controller());
+    auto bound = runtime::CardCondition::Read(*side, whole.controller());
     if (!bound.ok()) return false;
     for (const runtime::Quantity& quantity : bound.value().quantities()) {
       part.lasts = part.lasts || !runtime::IsOfProgram(quantity.kind);
       runtime::AddAccesses(runtime::LastingAccessOf(quantity, whole.controller()), &part.reads);
     }
+    const bool has_instant = part.expectation && part.expectation->at_us;
+    // Whether the right side of an implication has mattered is noted in a run.
+    if (part.requirement.scope == Scope::kFinal && !has_instant &&
+        !runtime::GuardOf(part.requirement)) {
+      part.at_end = std::move(bound).value();
+    }
   }
-  // All that set something which it names are then found to be one island.
-  for (const Island& island : islands_) {
-    if (runtime::FindDependence(island.accesses, part.reads) == nullptr) continue;
-    part.thread = std::countr_zero(island.threads);
-    break;
-  }
-  runtime::AddAccesses(part.reads, &islands_[IslandOf(part.thread)].accesses);
   parts_.push_back(std::move(part));
   return true;
+}
+
+void Islands::FindSums(const CardModel& whole) {
+  // Threads that add to one variable race for it.
+  if (whole.scenario().races != "any") return;
+  only_added_ = GlobalsOnlyAddedTo(whole.image()->object, whole.setups());
+  const auto drop = [&](const StatementAccess& accesses) {
+    return std::erase_if(only_added_, [&](uint16_t slot) {
+             return runtime::FindDependence({{Resource::kVariable, slot, true}}, accesses) !=
+                    nullptr;
+           }) > 0;
+  };
+  for (int i = 0; i < whole.thread_count(); ++i) {
+    const ThreadSetup& setup = whole.setup(i);
+    const auto function = static_cast<size_t>(setup.function);
+    for (const vm::Assert& assert : whole.image()->object.functions[function].asserts) {
+      if (const auto access = whole.AccessOfAssert(i, assert)) drop(*access);
+    }
+  }
+  const auto asks_of_sums = [&](const Part& part) {
+    return part.at_end && !part.reads.empty() && WithoutGlobals(only_added_, part.reads).empty();
+  };
+  // What is compared with something else is no sum, which can make another one something else.
+  while (std::ranges::any_of(
+      parts_, [&](const Part& part) { return !asks_of_sums(part) && drop(part.reads); })) {
+  }
+  std::erase_if(parts_, [&](Part& part) {
+    if (!asks_of_sums(part)) return false;
+    for (const Touched& touched : part.reads) {
+      summed_.push_back(static_cast<uint16_t>(touched.number));
+    }
+    asked_of_sums_.push_back(*std::move(part.at_end));
+    return true;
+  });
+  std::ranges::sort(summed_);
+  summed_.erase(std::unique(summed_.begin(), summed_.end()), summed_.end());
+}
+
+bool Islands::HoldsWith(const GlobalSums& values) const {
+  return std::ranges::all_of(asked_of_sums_, [&](const runtime::CardCondition& asked) {
+    return asked.condition().Holds([&](size_t name) {
+      const auto place = std::ranges::lower_bound(summed_, asked.quantities()[name].slot.id);
+      return vm::ToInt(values[static_cast<size_t>(place - summed_.begin())]);
+    });
+  });
+}
+
+void Islands::AssignParts() {
+  for (Part& part : parts_) {
+    // All that set something which it names are then found to be one island.
+    for (const Island& island : islands_) {
+      if (runtime::FindDependence(island.accesses, part.reads) == nullptr) continue;
+      part.thread = std::countr_zero(island.threads);
+      break;
+    }
+    runtime::AddAccesses(part.reads, &islands_[IslandOf(part.thread)].accesses);
+  }
+}
+
+void Islands::AddAccesses(const StatementAccess& accesses, size_t island) {
+  runtime::AddAccesses(WithoutGlobals(only_added_, accesses), &islands_[island].accesses);
 }
 
 size_t Islands::IslandOf(int thread) const {
@@ -166,7 +229,7 @@ size_t Islands::IslandOf(int thread) const {
 }
 
 bool Islands::Add(size_t island, const StatementAccess& accesses) {
-  runtime::AddAccesses(accesses, &islands_[island].accesses);
+  AddAccesses(accesses, island);
   return Join();
 }
 

@@ -22,6 +22,9 @@
 //   joins them, unless it is a conjunction (under `never` a disjunction), which is checked in
 //   parts.
 // - An assert names things that its thread reads.
+// - A global to which threads only add, and which requirements name only at the end of a run, joins
+//   nobody (added_globals.h). Each island shows what it can add to it; what is required must hold
+//   for every sum.
 // - A deadlock: there is none, as nobody waits for a variable.
 // - A race: two threads that access one variable, or set one axis or output, are of one island.
 //
@@ -37,6 +40,7 @@
 #include <vector>
 
 #include "explore/models/card_model.h"
+#include "runtime/conditions/card_condition.h"
 #include "runtime/observe/lasting_access.h"
 #include "runtime/scenario/file/expectation.h"
 #include "runtime/scenario/file/requirement.h"
@@ -47,6 +51,11 @@ struct Island {
   uint32_t threads = 0;  ///< bit n: thread n of the whole model
   runtime::StatementAccess accesses;
 };
+
+/// Of each global that sums are asked of, in the order of Islands::summed(): what the threads of an
+/// island add to it in one of its runs, or its value at the end of a run of all. Modulo 2^32, as
+/// ints wrap.
+using GlobalSums = std::vector<uint32_t>;
 
 /// An island on a card of its own.
 struct IslandCard {
@@ -69,6 +78,10 @@ class Islands {
   /// Adds what runs of an island have accessed. True if islands were joined; their order is then
   /// another one.
   bool Add(size_t island, const runtime::StatementAccess& accesses);
+  /// The slots of the globals to which threads only add, and of which requirements ask at the end.
+  const std::vector<uint16_t>& summed() const { return summed_; }
+  /// Whether these requirements hold with the values.
+  bool HoldsWith(const GlobalSums& values) const;
   /// Empty if the island cannot stand alone: a requirement names what it does not have.
   std::optional<IslandCard> Build(size_t island, const CardModel& whole) const;
 
@@ -79,13 +92,20 @@ class Islands {
     std::optional<runtime::Expectation> expectation = {};  ///< otherwise it is the requirement
     Requirement requirement = {};
     runtime::StatementAccess reads = {};
+    /// What a requirement without an instant says of the end of a run.
+    std::optional<runtime::CardCondition> at_end = {};
     int thread = 0;      ///< of the island that is to fulfil it
     bool lasts = false;  ///< it names more than variables and threads, or a time
   };
 
-  bool AddParts(const CardModel& whole);
-  bool AddPart(Part part, const CardModel& whole);
+  bool ReadParts(const CardModel& whole);
+  bool ReadPart(Part part, const CardModel& whole);
   bool AddAsserts(const CardModel& whole);
+  /// Finds the globals that join nobody, and keeps what is asked of them apart.
+  void FindSums(const CardModel& whole);
+  /// Gives each part to the island that is to fulfil it.
+  void AssignParts();
+  void AddAccesses(const runtime::StatementAccess& accesses, size_t island);
   /// Notes what the threads access in a run.
   void Watch(CardModel* model);
   size_t IslandOf(int thread) const;
@@ -94,6 +114,9 @@ class Islands {
 
   std::vector<Island> islands_;
   std::vector<Part> parts_;
+  std::vector<uint16_t> only_added_;  ///< the globals that join nobody, by their slots
+  std::vector<uint16_t> summed_;      ///< of these, what requirements name
+  std::vector<runtime::CardCondition> asked_of_sums_;
 };
 
 }  // namespace oncard::explore

@@ -269,6 +269,10 @@ std::vector<Message> Bounds(const Findings& findings) {
     }
     add(MakeMessage("every schedule, by islands: threads {0}, each with any timing of the others",
                     "所有调度，按互不相关的线程组证明：线程 {0}，其余线程的时序任意", threads));
+    if (!islands->sums.empty()) {
+      add(MakeMessage("at the end {0}: the sum of what they add, in every combination",
+                      "结束时 {0}：各组增量之和，涵盖所有组合", fmt::join(islands->sums, ", ")));
+    }
   }
   if (exploration.reduced && IsGood(exploration.verdict)) {
     add({"every schedule; orders of statements in a cycle that nobody notices were searched once",

@@ -76,6 +76,7 @@ std::string JsonReport(const Findings& findings) {
   }
   if (const auto& islands = exploration.islands) {
     json["islands"] = islands->threads;
+    if (!islands->sums.empty()) json["island_sums"] = islands->sums;
     json["island_states"] = islands->states;
     json["island_transitions"] = islands->transitions;
   }

@@ -20,7 +20,7 @@ namespace {
 using Json = SearchJson;
 
 constexpr std::string_view kKind = "oncard search";
-constexpr int kVersion = 6;
+constexpr int kVersion = 7;
 
 /// Maximum nesting of objects and lists in a search file.
 constexpr int kNestingMax = 16;

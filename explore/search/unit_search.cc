@@ -89,6 +89,15 @@ void PutIslands(const IslandCounts& islands, SearchWriter* writer) {
     writer->Close('}');
   }
   writer->Close(']');
+  writer->Next("sums");
+  writer->Open('[');
+  for (const std::string& sum : islands.sums) {
+    writer->Next();
+    writer->Open('{');
+    writer->PutText("global", sum);
+    writer->Close('}');
+  }
+  writer->Close(']');
   writer->Put("states", islands.states);
   writer->Put("transitions", islands.transitions);
   writer->Close('}');
@@ -218,6 +227,9 @@ Exploration FoundFrom(SearchReader& reader, const SearchValue& value) {
              reader.Each(reader.Member(from, "threads"), [&](const SearchValue& island) {
                to->threads.push_back(
                    reader.Wholes<int>(reader.Member(island, "island"), 0, kThreadMax - 1));
+             });
+             reader.Each(reader.Member(from, "sums"), [&](const SearchValue& sum) {
+               to->sums.push_back(reader.Text(reader.Member(sum, "global")));
              });
              to->states = count(from, "states");
              to->transitions = count(from, "transitions");

@@ -20,9 +20,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Threads that each move an axis of their own to a position and wait there for the end of the
-/// motion.
-std::string Moves(int axes) {
-  std::string source;
+/// motion. What they set in the end is given by its `{0}`, the thread.
+std::string Moves(int axes, const std::string& in_the_end = "done{0} = 1") {
+  std::string source = "int done;\n";
   for (int i = 0; i < axes; ++i) {
     source += fmt::format(
         "int done{0};\n"
@@ -31,8 +31,9 @@ std::string Moves(int axes) {
         "  GT_GetTrapPrm({1}, &trap);\n  trap.acc = 1;\n  trap.dec = 1;\n"
         "  GT_SetTrapPrm({1}, &trap);\n  GT_SetVel({1}, 10);\n  GT_SetPos({1}, 100);\n"
         "  GT_Update({2});\nL:\n  GT_GetSts({1}, &status, 1, &time);\n  status = status & 1024;\n"
-        "  if (status) goto L;\n  done{0} = 1;\n  return 0;\n}}\n",
+        "  if (status) goto L;\n",
         i, i + 1, 1 << i);
+    source += "  " + fmt::format(fmt::runtime(in_the_end), i) + ";\n  return 0;\n}\n";
   }
   return source;
 }
@@ -54,6 +55,29 @@ TEST(IslandSearch, TheStatesOfIslandsAreASum) {
   EXPECT_THAT(proof_of_four->counts.threads,
               ElementsAre(ElementsAre(0), ElementsAre(1), ElementsAre(2), ElementsAre(3)));
   EXPECT_EQ(proof_of_four->counts.states, 2 * proof_of_two->counts.states);
+}
+
+// Thread 0 adds 1 or 3, as it sees the input or asks too early; thread 1 adds 10.
+TEST(IslandSearch, EverySumIsChecked) {
+  constexpr const char* kSource =
+      "int sum;\n"
+      "int t0() {\n  int n;\n  GT_Delay(1);\n  sum = sum + 1;\n  GT_GetDi(4, &n);\n  n = n & 1;\n"
+      "  if (n) goto E;\n  sum = sum + 2;\nE:\n  return 0;\n}\n"
+      "int t1() { GT_AxisOn(2); sum = sum + 10; return 0; }\n";
+  const auto proves = [&](const std::string& final) {
+    CardModel model = CardOf(kSource, "final = [\"" + final +
+                                          "\"]\n[globals]\nsum = 5\n[[world.input]]\n"
+                                          "at_ms = 0.75\ntype = \"gpi\"\nindex = 1\nvalue = 1\n");
+    const auto proof = ProofOf(&model);
+    if (proof) {
+      EXPECT_THAT(proof->counts.sums, ElementsAre("sum"));
+    }
+    return proof.has_value();
+  };
+  EXPECT_TRUE(proves("sum == 16 || sum == 18"));
+  EXPECT_TRUE(proves("sum > 15 && sum < 19 && sum != 17"));
+  EXPECT_FALSE(proves("sum == 16"));
+  EXPECT_FALSE(proves("sum == 18"));
 }
 
 TEST(IslandSearch, ALimitIsNoProof) {
@@ -105,6 +129,15 @@ TEST(IslandSearch, AutoProvesByIslandsWhatHasManyStates) {
   EXPECT_EQ(whole.exploration.verdict, Verdict::kIncomplete);
 }
 
+TEST(IslandSearch, AutoSumsWhatManyThreadsCount) {
+  const Findings findings =
+      FindingsOf(Moves(3, "done = done + 1"), "final = [\"done == 3\"]\n", {});
+  EXPECT_EQ(findings.exploration.verdict, Verdict::kProved);
+  ASSERT_TRUE(findings.exploration.islands);
+  EXPECT_THAT(TextReport(findings, Language::kEnglish, {}),
+              HasSubstr("at the end done: the sum of what they add, in every combination\n"));
+}
+
 TEST(IslandSearch, SmallProgramsAreSearchedAsAWhole) {
   const Findings findings = FindingsOf(
       "int a;\nint b;\nint t0() { GT_Delay(1); a = 1; return 0; }\n"
@@ -143,6 +176,29 @@ TEST(IslandSearch, ProvesNothingThatFails) {
   // Both are many enough to tell.
   EXPECT_GE(proofs, static_cast<int>(programs / 20));
   EXPECT_GE(failures, static_cast<int>(programs / 5));
+}
+
+// Beside the machines above these have a counter that all threads add to.
+TEST(IslandSearch, ProvesNoSumThatFails) {
+  const auto programs = RandomCases(uint64_t{120});
+  int proofs = 0;
+  int failures = 0;
+  for (uint64_t seed = 1; seed <= programs; ++seed) {
+    const RandomMachine card = RandomMachine::ThatCounts(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
+    CardModel model = CardOf(card.source(), card.keys());
+    const auto islands = Islands::Of(model);
+    if (!islands || islands->summed().empty()) continue;
+    const CardGraph graph = BuildCardGraph(&model, {.states = 60'000, .states_after_bad = 0});
+    const bool fails = graph.bad_states > 0;
+    if (!fails && !graph.graph.complete) continue;
+    const bool proved = ProofOf(&model).has_value();
+    ASSERT_FALSE(proved && fails);
+    proofs += proved ? 1 : 0;
+    failures += fails ? 1 : 0;
+  }
+  EXPECT_GE(proofs, static_cast<int>(programs / 20));
+  EXPECT_GE(failures, static_cast<int>(programs / 20));
 }
 
 TEST(IslandSearch, RowsAndWholeStatesProveTheSame) {

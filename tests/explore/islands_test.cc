@@ -84,6 +84,34 @@ TEST(Islands, NoneWhereOthersDoMoreThanTakeStatements) {
       ElementsAre());
 }
 
+// --- Sums ----------------------------------------------------------------------------------------
+
+/// Two threads that count in `done`, with more statements of the second one.
+std::string TwoCount(const std::string& more = {}) {
+  return "int done;\nint a;\nint b;\n"
+         "int t0() { GT_AxisOn(1); done = done + 1; b = b + 1; return 0; }\n"
+         "int t1() { int n; GT_AxisOn(2); done = done + 1; " +
+         more + " return 0; }\n";
+}
+
+TEST(Islands, WhatIsOnlyAddedToJoinsNobody) {
+  EXPECT_THAT(IslandsOf(TwoCount(), {}), ElementsAre(1, 2));
+  EXPECT_THAT(IslandsOf(TwoCount(), "final = [\"done == 2\", \"done < 3 && a == 0\"]\n"),
+              ElementsAre(1, 2));
+  EXPECT_THAT(IslandsOf(TwoCount("n = done;"), {}), ElementsAre());
+}
+
+// What is asked before the end, or of it and of something else, is asked of all that add to it.
+TEST(Islands, WhatIsOnlyAddedToJoinsWhereItIsAskedForOtherwise) {
+  EXPECT_THAT(IslandsOf(TwoCount(), "never = [\"done == 3\"]\n"), ElementsAre());
+  EXPECT_THAT(IslandsOf(TwoCount(), "expect = [\"done == 0 @ 0ms\"]\n"), ElementsAre());
+  EXPECT_THAT(IslandsOf(TwoCount("b = b - 1;"), "final = [\"done == b + 2\"]\n"),
+              ElementsAre(1, 2));
+  EXPECT_THAT(IslandsOf(TwoCount("a = 1;"), "final = [\"done == a + 1\"]\n"), ElementsAre());
+  EXPECT_THAT(IslandsOf(TwoCount(), "final = [\"!(done > 1) || done == 2\"]\n"), ElementsAre());
+  EXPECT_THAT(IslandsOf(TwoCount(), "races = \"none\"\n"), ElementsAre());
+}
+
 TEST(Islands, AnIslandHasItsThreadsAndRequirements) {
   const CardModel model = CardOf(
       ThreeAxes(), "expect = [\"b == 1 && a == 1 @ 2ms\"]\nnever = [\"c == 2\", \"b == 2\"]\n");

@@ -4,8 +4,9 @@
 
 namespace oncard::explore {
 
-RandomMachine::RandomMachine(uint64_t seed) : random_(seed), threads_(2 + Draw(2)) {
-  source_ = "int g[4];\n";
+RandomMachine::RandomMachine(uint64_t seed, bool counts)
+    : random_(seed), counts_(counts), threads_(2 + Draw(2)) {
+  source_ = counts ? "int g[4];\nint sum;\n" : "int g[4];\n";
   for (int thread = 0; thread < threads_; ++thread) AddThread(thread);
   AddKeys();
 }
@@ -13,7 +14,10 @@ RandomMachine::RandomMachine(uint64_t seed) : random_(seed), threads_(2 + Draw(2
 void RandomMachine::AddThread(int thread) {
   source_ += fmt::format("int t{}() {{\n  int n;\n  int time;\n  double p;\n", thread);
   const int count = 2 + Draw(4);
-  for (int i = 0; i < count; ++i) AddStatement(thread, i);
+  for (int i = 0; i < count; ++i) {
+    AddStatement(thread, i);
+    if (counts_ && Draw(2) == 0) AddCount(i);
+  }
   source_ += fmt::format("  return {};\n}}\n", Draw(2));
 }
 
@@ -54,6 +58,15 @@ void RandomMachine::AddStatement(int thread, int number) {
   }
 }
 
+/// Always, or depending on what the thread has found last.
+void RandomMachine::AddCount(int number) {
+  if (Draw(2) == 0) {
+    source_ += fmt::format("  sum = sum + {};\n", 1 + Draw(3));
+  } else {
+    source_ += fmt::format("  if (n) goto S{0};\n  sum = sum - {1};\nS{0}:\n", number, 1 + Draw(2));
+  }
+}
+
 std::string RandomMachine::Condition() {
   const int of = Draw(threads_);
   switch (Draw(9)) {
@@ -87,6 +100,7 @@ void RandomMachine::AddKeys() {
   for (int kind = first; kind < first + 2; ++kind) {
     switch (kind % 6) {
       case 0:
+        if (counts_) break;
         keys_ += fmt::format("final = [\"{} && {}\"]\n", Condition(), Condition());
         break;
       case 1:
@@ -108,6 +122,9 @@ void RandomMachine::AddKeys() {
             fmt::format("expect = [\"{} && {} @ {}ms\"]\n", Condition(), Condition(), 1 + Draw(2));
         break;
     }
+  }
+  if (counts_) {
+    keys_ += fmt::format("final = [\"sum {} {}\"]\n", Draw(3) == 0 ? "!=" : "<", Draw(12) - 2);
   }
   if (Draw(2) == 0) {
     keys_ += "[[world.input]]\nat_ms = 0.5\ntype = \"gpi\"\nindex = 1\nvalue = 1\n";

@@ -45,7 +45,7 @@ SearchFile FileOfUnits() {
   found.horizon = {12.25, 3, 5};
   found.traces = TraceCounts{1, 2, 3, 4, 5, 6, true, true};
   found.states = StateCounts{7, 8, 9, 10, 11, true, true, {12, 13}, true, true};
-  found.islands = IslandCounts{{{0, 2}, {1}}, 14, 15};
+  found.islands = IslandCounts{{{0, 2}, {1}}, {"done"}, 14, 15};
   found.reduced = ReducedCounts{18, 19, 20};
   found.bounded.emplace();
   found.bounded->preemptions = 2;
