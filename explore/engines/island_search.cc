@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "explore/engines/island_failure.h"
 #include "explore/models/card_steps.h"
 #include "explore/models/key_set.h"
 #include "explore/models/whole_states.h"
@@ -36,7 +37,7 @@ class IslandSearch {
   bool Run() {
     State start = states_.Start();
     before_ = SumsIn(start);
-    if (!Enter(std::move(start))) return false;
+    if (!Enter(std::move(start), kNoWay, 0)) return false;
     while (!waiting_.empty()) {
       // Cycle by cycle, so that few states wait.
       const auto cycle = waiting_.begin();
@@ -44,9 +45,9 @@ class IslandSearch {
         waiting_.erase(cycle);
         continue;
       }
-      const State state = std::move(cycle->second.back());
+      const Found found = std::move(cycle->second.back());
       cycle->second.pop_back();
-      if (IsOver() || !Expand(state)) return false;
+      if (IsOver() || !Expand(found)) return false;
     }
     return states_.exact();
   }
@@ -54,14 +55,17 @@ class IslandSearch {
   /// Goes on from its ends while other islands run, at most up to a cycle.
   bool Outlast(int64_t last_cycle) {
     while (!ends_.empty()) {
-      const State state = std::move(ends_.back());
+      const Found found = std::move(ends_.back());
       ends_.pop_back();
-      const int64_t cycle = states_.CycleOf(state);
+      const int64_t cycle = states_.CycleOf(found.state);
       if (IsOver()) return false;
-      NoteSums(state);
+      NoteSums(found.state);
       const bool may_end = !card_->lasts || cycle >= model_.last_instant();
-      if (may_end && model_.EndRun(states_.Whole(state))) return false;
-      if (card_->lasts && cycle < last_cycle && !EnterFrom(states_.EndCycle(state))) return false;
+      if (may_end && model_.EndRun(states_.Whole(found.state))) {
+        failing_ = found.way;
+        return false;
+      }
+      if (card_->lasts && cycle < last_cycle && !EndCycle(found)) return false;
     }
     return states_.exact();
   }
@@ -75,8 +79,29 @@ class IslandSearch {
   const GlobalSums& before() const { return before_; }
   /// What it can add to them.
   const std::set<GlobalSums>& added() const { return added_; }
+  /// The way to what has failed; empty if a limit was reached.
+  std::vector<uint8_t> FailingWay() const {
+    std::vector<uint8_t> choices;
+    for (uint32_t at = failing_; at != kNoWay && ways_[at].from != kNoWay; at = ways_[at].from) {
+      choices.push_back(ways_[at].choice);
+    }
+    std::ranges::reverse(choices);
+    return choices;
+  }
 
  private:
+  static constexpr uint32_t kNoWay = ~uint32_t{0};
+  /// How a state was reached for the first time: from which one, by its number, with which thread
+  /// or kOthersEndCycle.
+  struct Way {
+    uint32_t from = kNoWay;
+    uint8_t choice = 0;
+  };
+  struct Found {
+    State state;
+    uint32_t way = kNoWay;  ///< its number
+  };
+
   GlobalSums SumsIn(const State& state) {
     GlobalSums sums;
     if (summed_.empty()) return sums;
@@ -102,27 +127,36 @@ class IslandSearch {
     return counts_.states > limits_.states || IsTold(limits_.stop);
   }
 
-  bool Expand(const State& state) {
+  bool Expand(const Found& found) {
+    const State& state = found.state;
     const uint32_t all = states_.ChoicesOf(state);
     for (uint32_t choices = all; choices != 0; choices &= choices - 1) {
       runtime::AddAccesses(states_.NewLastingAccess(state, std::countr_zero(choices)), &accesses_);
     }
     for (uint32_t choices = all; choices != 0; choices &= choices - 1) {
-      if (!EnterFrom(states_.Step(state, std::countr_zero(choices)))) return false;
+      const int thread = std::countr_zero(choices);
+      ++counts_.transitions;
+      if (!Enter(states_.Step(state, thread), found.way, static_cast<uint8_t>(thread)))
+        return false;
     }
-    return !states_.MayEndCycle(state) || EnterFrom(states_.EndCycle(state));
+    return !states_.MayEndCycle(state) || EndCycle(found);
   }
 
-  bool EnterFrom(State state) {
+  bool EndCycle(const Found& found) {
     ++counts_.transitions;
-    return Enter(std::move(state));
+    return Enter(states_.EndCycle(found.state), found.way, kOthersEndCycle);
   }
 
   /// False if the state fails.
-  bool Enter(State state) {
+  bool Enter(State state, uint32_t from, uint8_t choice) {
     if (!known_.Insert(states_.KeyOf(state))) return true;
     ++counts_.states;
-    if (state.fault) return false;
+    const auto way = static_cast<uint32_t>(ways_.size());
+    ways_.push_back({from, choice});
+    if (state.fault) {
+      failing_ = way;
+      return false;
+    }
     if (states_.Ended(state)) {
       NoteSums(state);
       return true;
@@ -130,9 +164,9 @@ class IslandSearch {
     const int64_t cycle = states_.CycleOf(state);
     if (state.finished) {
       last_cycle_ = std::max(last_cycle_, cycle);
-      ends_.push_back(std::move(state));
+      ends_.push_back({std::move(state), way});
     } else {
-      waiting_[cycle].push_back(std::move(state));
+      waiting_[cycle].push_back({std::move(state), way});
     }
     return true;
   }
@@ -145,9 +179,11 @@ class IslandSearch {
   std::set<GlobalSums> added_;
   const StateLimits& limits_;
   IslandCounts& counts_;
-  std::map<int64_t, std::vector<State>> waiting_;  ///< by their cycles
-  std::vector<State> ends_;                        ///< of its threads
+  std::map<int64_t, std::vector<Found>> waiting_;  ///< by their cycles
+  std::vector<Found> ends_;                        ///< of its threads
   KeySet known_;
+  std::vector<Way> ways_;
+  uint32_t failing_ = kNoWay;
   runtime::StatementAccess accesses_;
   int64_t last_cycle_ = 0;
 };
@@ -193,10 +229,17 @@ bool SumsHold(const Islands& islands, const vm::Object& object, const SearchOf& 
 
 /// `exact` becomes false if there is no proof because of what was computed of states.
 template <typename States>
-std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const StateLimits& limits,
-                                 bool* exact) {
+IslandResult Prove(CardModel* whole, Islands islands, const StateLimits& limits, bool* exact) {
   using OfIsland = IslandSearch<States>;
   IslandProof proof;
+  const auto failure_of = [&](const Island& island, const OfIsland& search) {
+    const std::vector<uint8_t> way = search.FailingWay();
+    IslandResult result;
+    if (!way.empty()) {
+      result.failing = FailInWhole(whole, &search.card()->model, island.threads, way);
+    }
+    return result;
+  };
   std::map<uint32_t, std::unique_ptr<OfIsland>> searches;  // by their threads
   for (size_t i = 0; i < islands.all().size();) {
     std::unique_ptr<OfIsland>& search = searches[islands.all()[i].threads];
@@ -204,18 +247,19 @@ std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const 
       ++i;
       continue;
     }
-    auto card = islands.Build(i, whole);
-    if (!card) return std::nullopt;
+    auto card = islands.Build(i, *whole);
+    if (!card) return {};
     search = std::make_unique<OfIsland>(*std::move(card), islands.summed(), limits, &proof.counts);
     const bool good = search->Run();
     *exact = *exact && search->exact();
-    if (!*exact) return std::nullopt;
+    if (!*exact) return {};
     // What fails may be the fault of another island with which it shares more than was known.
     const bool joined = islands.Add(i, search->accesses());
-    if (islands.all().size() < 2 || (!good && !joined)) return std::nullopt;
+    if (islands.all().size() < 2) return {};
+    if (!good && !joined) return failure_of(islands.all()[i], *search);
     if (joined) i = 0;
   }
-  int64_t last_cycle = whole.last_instant();
+  int64_t last_cycle = whole->last_instant();
   for (const Island& island : islands.all()) {
     last_cycle = std::max(last_cycle, searches[island.threads]->last_cycle());
   }
@@ -223,7 +267,8 @@ std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const 
     OfIsland& search = *searches[island.threads];
     const bool good = search.Outlast(last_cycle);
     *exact = *exact && search.exact();
-    if (!good) return std::nullopt;
+    if (!*exact) return {};
+    if (!good) return failure_of(island, search);
     proof.cards.push_back(search.card());
     std::vector<int>& threads = proof.counts.threads.emplace_back();
     for (const ThreadSetup& setup : search.card()->model.setups()) threads.push_back(setup.thread);
@@ -231,8 +276,8 @@ std::optional<IslandProof> Prove(const CardModel& whole, Islands islands, const 
   const auto search_of = [&](const Island& island) -> const OfIsland& {
     return *searches[island.threads];
   };
-  if (!SumsHold(islands, whole.image()->object, search_of, &proof.counts)) return std::nullopt;
-  return proof;
+  if (!SumsHold(islands, whole->image()->object, search_of, &proof.counts)) return {};
+  return {std::move(proof), {}};
 }
 
 }  // namespace
@@ -241,12 +286,11 @@ void IslandProof::IncludeIn(CardModel* whole) const {
   for (const auto& card : cards) whole->Include(card->model, card->origins);
 }
 
-std::optional<IslandProof> ProveByIslands(const CardModel& whole, Islands islands,
-                                          const StateLimits& limits) {
-  if (CardRows::Possible(whole) && !limits.whole_states) {
+IslandResult ProveByIslands(CardModel* whole, Islands islands, const StateLimits& limits) {
+  if (CardRows::Possible(*whole) && !limits.whole_states) {
     bool exact = true;
-    auto proof = Prove<CardSteps>(whole, islands, limits, &exact);
-    if (exact) return proof;
+    IslandResult result = Prove<CardSteps>(whole, islands, limits, &exact);
+    if (exact) return result;
   }
   bool exact = true;
   return Prove<WholeStates>(whole, std::move(islands), limits, &exact);

@@ -33,9 +33,15 @@ struct IslandProof {
   void IncludeIn(CardModel* whole) const;
 };
 
-/// Empty if it is no proof: a limit was reached, the islands turn out to be one, or something fails
-/// in one of them or for a sum of what they add, which need not happen in the program.
-std::optional<IslandProof> ProveByIslands(const CardModel& whole, Islands islands,
-                                          const StateLimits& limits);
+struct IslandResult {
+  /// Empty if a limit was reached, the islands turn out to be one, or something fails in one of
+  /// them or for a sum of what they add, which need not happen in the program.
+  std::optional<IslandProof> proof;
+  /// If it does, and the failure of the island was found in the program, too: the threads of a
+  /// schedule that fails.
+  std::vector<uint8_t> failing;
+};
+
+IslandResult ProveByIslands(CardModel* whole, Islands islands, const StateLimits& limits);
 
 }  // namespace oncard::explore

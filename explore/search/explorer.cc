@@ -467,13 +467,13 @@ void TryAtRandom(CardModel* model, const ExploreOptions& options, Exploration* e
 /// counts of small programs are exact, and so are their ends. Cases share them.
 constexpr int64_t kStatesBesideProof = 5000;
 
-std::optional<IslandProof> SearchIslands(const CardModel& model, const ExploreOptions& options,
-                                         const StateLimits& limits) {
-  if (options.engine != EngineKind::kAuto || !options.islands || options.all) return std::nullopt;
+IslandResult SearchIslands(CardModel* model, const ExploreOptions& options,
+                           const StateLimits& limits) {
+  if (options.engine != EngineKind::kAuto || !options.islands || options.all) return {};
   // What is asked of nothing shows all results, which are no sum of those of the islands.
-  if (model.asks_nothing()) return std::nullopt;
-  auto islands = Islands::Of(model);
-  return islands ? ProveByIslands(model, *std::move(islands), limits) : std::nullopt;
+  if (model->asks_nothing()) return {};
+  auto islands = Islands::Of(*model);
+  return islands ? ProveByIslands(model, *std::move(islands), limits) : IslandResult{};
 }
 
 std::optional<ReducedSearch> SearchWithReductions(CardModel* model, const ExploreOptions& options,
@@ -599,7 +599,11 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   limits.states_after_bad = AftermathOf(options).card_states;
   std::optional<IslandProof> proof;
   std::optional<ReducedSearch> reduced;
-  if (!look.found()) proof = SearchIslands(*model, options, limits);
+  if (!look.found()) {
+    IslandResult islands = SearchIslands(model, options, limits);
+    proof = std::move(islands.proof);
+    look.failing = std::move(islands.failing);
+  }
   if (!look.found() && !proof) reduced = SearchWithReductions(model, options, limits);
   if (reduced && reduced->fails) look.failing = reduced->failing;
   if (look.found()) {

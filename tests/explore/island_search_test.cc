@@ -41,7 +41,7 @@ std::string Moves(int axes, const std::string& in_the_end = "done{0} = 1") {
 std::optional<IslandProof> ProofOf(CardModel* model, uint32_t states = 1'000'000) {
   auto islands = Islands::Of(*model);
   if (!islands) return std::nullopt;
-  auto proof = ProveByIslands(*model, *std::move(islands), {.states = states});
+  auto proof = ProveByIslands(model, *std::move(islands), {.states = states}).proof;
   if (proof) proof->IncludeIn(model);
   return proof;
 }
@@ -129,6 +129,28 @@ TEST(IslandSearch, AutoProvesByIslandsWhatHasManyStates) {
   EXPECT_EQ(whole.exploration.verdict, Verdict::kIncomplete);
 }
 
+// Thread 4 has to read each of the values that thread 3 sets: too many preemptions for a first
+// look, and too many states of all threads together.
+TEST(IslandSearch, AutoFindsWhatFailsInAnIsland) {
+  std::string sets;
+  std::string reads;
+  for (int value = 1; value <= 8; ++value) {
+    sets += fmt::format("  x = {};\n", value);
+    reads += fmt::format("  n = x == {};\n  hits = hits + n;\n", value);
+  }
+  const std::string source = Moves(3) + "int x;\nint hits;\nint t3() {\n" + sets +
+                             "  x = 0;\n  return 0;\n}\nint t4() {\n  int n;\n" + reads +
+                             "  return 0;\n}\n";
+  const std::string keys = "final = [\"hits < 8\", \"done2 == 1\"]\n";
+  ExploreOptions options = {.state_limit = 300'000};
+  const Findings found = FindingsOf(source, keys, options);
+  EXPECT_EQ(found.exploration.verdict, Verdict::kFailed);
+  ASSERT_TRUE(found.exploration.failure);
+  EXPECT_EQ(found.exploration.failure->fault.requirement, 0);
+  options.islands = false;
+  EXPECT_EQ(FindingsOf(source, keys, options).exploration.verdict, Verdict::kIncomplete);
+}
+
 TEST(IslandSearch, AutoSumsWhatManyThreadsCount) {
   const Findings findings =
       FindingsOf(Moves(3, "done = done + 1"), "final = [\"done == 3\"]\n", {});
@@ -178,6 +200,32 @@ TEST(IslandSearch, ProvesNothingThatFails) {
   EXPECT_GE(failures, static_cast<int>(programs / 5));
 }
 
+// The replay is a schedule of the program, in which something fails, executed here once more.
+TEST(IslandSearch, AFailureOfAnIslandIsReplayedInTheProgram) {
+  const auto programs = RandomCases(uint64_t{200});
+  int replayed = 0;
+  for (uint64_t seed = 1; seed <= programs; ++seed) {
+    const RandomMachine card(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
+    CardModel model = CardOf(card.source(), card.keys());
+    const auto islands = Islands::Of(model);
+    if (!islands) continue;
+    const IslandResult result = ProveByIslands(&model, *islands, {.states = 20'000});
+    if (result.failing.empty()) continue;
+    EXPECT_FALSE(result.proof);
+    CardModel again = CardOf(card.source(), card.keys());
+    CardModel::State state = again.Start();
+    for (const uint8_t thread : result.failing) {
+      ASSERT_FALSE(state.fault);
+      ASSERT_NE(state.choices >> thread & 1, 0u);
+      state = again.Step(state, thread);
+    }
+    EXPECT_TRUE(state.fault);
+    ++replayed;
+  }
+  EXPECT_GE(replayed, static_cast<int>(programs / 10));
+}
+
 // Beside the machines above these have a counter that all threads add to.
 TEST(IslandSearch, ProvesNoSumThatFails) {
   const auto programs = RandomCases(uint64_t{120});
@@ -207,11 +255,12 @@ TEST(IslandSearch, RowsAndWholeStatesProveTheSame) {
   for (uint64_t seed = 1; seed <= programs; ++seed) {
     const RandomMachine card(seed);
     SCOPED_TRACE(fmt::format("seed {}\n{}{}", seed, card.keys(), card.source()));
-    const CardModel model = CardOf(card.source(), card.keys());
+    CardModel model = CardOf(card.source(), card.keys());
     const auto islands = Islands::Of(model);
     if (!islands) continue;
-    const auto rows = ProveByIslands(model, *islands, {.states = 20'000});
-    const auto whole = ProveByIslands(model, *islands, {.states = 20'000, .whole_states = true});
+    const auto rows = ProveByIslands(&model, *islands, {.states = 20'000}).proof;
+    const auto whole =
+        ProveByIslands(&model, *islands, {.states = 20'000, .whole_states = true}).proof;
     ASSERT_EQ(rows.has_value(), whole.has_value());
     if (!rows) continue;
     ++proofs;
