@@ -204,6 +204,22 @@ for (const width of [390, 1024, 1280, 1440]) {
   });
 }
 
+for (const { width, height } of [
+  { width: 1366, height: 768 },
+  { width: 1024, height: 768 },
+]) {
+  for (const lesson of ["assignment", "first-axis", "limits", "lock"]) {
+    test(`nothing of ${lesson} is cut off at the side at ${width} pixels`, async ({ page }) => {
+      await page.setViewportSize({ width, height });
+      await open(page, `#lesson=${lesson}`);
+      const wide = await page
+        .locator(".column")
+        .evaluateAll((columns) => columns.map((each) => each.scrollWidth - each.clientWidth));
+      expect(wide).toEqual([0, 0, 0]);
+    });
+  }
+}
+
 for (const width of [360, 390]) {
   test(`a phone of ${width} pixels shows one panel at a time`, async ({ page }) => {
     await page.setViewportSize({ width, height: 780 });
