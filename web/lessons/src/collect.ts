@@ -1,7 +1,7 @@
 // The lessons of a folder, for bundlers and tests. Each has a folder NN-name, whose number is its
 // place in the order:
 //
-//   lesson.toml               title, hints, task and, where it applies, structured and scope
+//   lesson.toml               title, hints, task and, where it applies, structured, scope and layout
 //   text.en.md, text.zh.md    the text
 //   start.c, solution.c       the program as the student finds it, and one that passes
 //   task.toml                 the scenario of the task, with program = "start.c"
@@ -15,7 +15,7 @@ import { fileURLToPath } from "node:url";
 
 import { parse } from "smol-toml";
 
-import { type Lesson, parseLesson } from "./lesson.js";
+import { layoutOf, layouts, type Lesson, parseLesson } from "./lesson.js";
 
 export interface CollectedLesson {
   /** Its folder. */
@@ -57,7 +57,13 @@ function collectLesson(folder: string, id: string): CollectedLesson {
 /** @throws {Error} the lesson has a mistake; the message begins with the place */
 export function readLesson(value: unknown, place: string): Lesson {
   const parsed = parseLesson(value);
-  if ("lesson" in parsed) return parsed.lesson;
+  if ("lesson" in parsed) {
+    const { layout } = parsed.lesson;
+    if (layout === undefined || layoutOf(parsed.lesson)) return parsed.lesson;
+    throw new Error(
+      `${place}: layout: there is no layout '${layout}'; expected ${layouts.join(", ")}`,
+    );
+  }
   const mistakes = parsed.mistakes.map(({ where, message }) => `${where}: ${message.en}`);
   throw new Error(`${place}: ${mistakes.join("; ")}`);
 }

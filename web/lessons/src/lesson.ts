@@ -7,6 +7,10 @@ import { isLessonSource, type LessonSource } from "./lesson_schema.js";
 
 export { type Checked, checked, type Localized, type Mistake } from "./checked.js";
 
+/** How the panels of the page can lie for a lesson. */
+export const layouts = ["language", "threads", "motion"] as const;
+export type LessonLayout = (typeof layouts)[number];
+
 /** One idea, with a task that a scenario checks. Every text is in both languages. */
 export interface Lesson extends Omit<LessonSource, "title" | "text" | "hints"> {
   title: Localized;
@@ -25,6 +29,11 @@ export function parseLesson(value: unknown): ParsedLesson {
   if ("mistakes" in source) return source;
   const mistakes = missingFiles(source.value);
   return mistakes.length > 0 ? { mistakes } : { lesson: lessonOf(source.value) };
+}
+
+/** The layout that a lesson names; undefined: the usual one, also for a name that is not known. */
+export function layoutOf({ layout }: Pick<Lesson, "layout">): LessonLayout | undefined {
+  return layouts.find((name) => name === layout);
 }
 
 /** Whether program and scenario are among the files: no schema can say so. */

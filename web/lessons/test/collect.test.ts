@@ -72,6 +72,17 @@ test("a mistake names the folder and the place", () => {
   expect(() => collectLessons(folder)).toThrow(/01-bad: title\.en: expected a text$/);
 });
 
+test("a layout that does not exist is named", () => {
+  const withLayout = (name: string) => {
+    const lesson = { ...good, "lesson.toml": `layout = "${name}"\n${good["lesson.toml"]}` };
+    return collectLessons(folderOf({ "01-one": lesson }))[0]?.lesson.layout;
+  };
+  expect(withLayout("threads")).toBe("threads");
+  expect(() => withLayout("thread")).toThrow(
+    /01-one: layout: there is no layout 'thread'; expected language, threads, motion$/,
+  );
+});
+
 test("a missing file is named", () => {
   const folder = folderOf({ "01-bad": { ...good, "solution.c": undefined } });
   expect(() => collectLessons(folder)).toThrow(/01-bad\/solution\.c/);

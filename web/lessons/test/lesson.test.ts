@@ -1,4 +1,4 @@
-import { type Lesson, type Mistake, parseLesson } from "@oncard/lessons";
+import { layoutOf, type Lesson, type Mistake, parseLesson } from "@oncard/lessons";
 import { describe, expect, test } from "vitest";
 
 function example(): Lesson {
@@ -15,6 +15,7 @@ function example(): Lesson {
     structured: true,
     hidden: ['program = "start.c"\nexpect = ["x == 2"]\n'],
     scope: ["axis1.prfPos"],
+    layout: "motion",
   };
 }
 
@@ -28,10 +29,23 @@ test("a lesson is read as it was written", () => {
   expect(parseLesson(written)).toEqual({ lesson: example() });
 });
 
-test("structured, hidden and scope may be missing, and stay so", () => {
-  const { structured, hidden, scope, ...rest } = example();
-  expect([structured, hidden?.length, scope]).toEqual([true, 1, ["axis1.prfPos"]]);
+test("structured, hidden, scope and layout may be missing, and stay so", () => {
+  const { structured, hidden, scope, layout, ...rest } = example();
+  expect([structured, hidden?.length, scope, layout]).toEqual([
+    true,
+    1,
+    ["axis1.prfPos"],
+    "motion",
+  ]);
   expect(parseLesson(rest)).toStrictEqual({ lesson: rest });
+});
+
+test("a link may name a layout that is not known: the page takes its usual one", () => {
+  expect(layoutOf(example())).toBe("motion");
+  const lesson = { ...example(), layout: "theatre" };
+  expect(parseLesson(lesson)).toEqual({ lesson });
+  expect(layoutOf(lesson)).toBeUndefined();
+  expect(layoutOf({})).toBeUndefined();
 });
 
 test("a text in one language stands for both", () => {
@@ -107,6 +121,8 @@ describe("mistakes name their place and what was expected", () => {
     ["scope", /expected a list/, { scope: "axis1.prfPos" }],
     ["scope[0]", /at most 64/, { scope: [long(64)] }],
     ["scope", /at most 16/, { scope: Array(17).fill("x") }],
+    ["layout", /expected a text/, { layout: 1 }],
+    ["layout", /at most 64/, { layout: long(64) }],
   ])("%s: %s", (place, message, change) => {
     const mistakes = mistakesOf({ ...example(), ...change });
     const found = mistakes.find(

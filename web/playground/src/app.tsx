@@ -1,6 +1,6 @@
 // The page: the bar, the status line and the panels. On narrow screens one panel is shown at a time.
 
-import type { ComponentChildren } from "preact";
+import { layoutOf } from "@oncard/lessons";
 
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
@@ -17,9 +17,11 @@ import { present } from "./session/bench.js";
 import { isEdited } from "./session/on_card.js";
 import { record } from "./session/record.js";
 import { forgetLink, openedLink } from "./share/opened_link.js";
+import { arrangementFor } from "./store/arrangement.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
 import { settings } from "./store/settings.js";
+import { source } from "./store/source.js";
 import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
 
@@ -32,7 +34,26 @@ function titleOf(name: Panel): string {
   return name === "program" && record.value ? t.record.title : t.panels[name];
 }
 
-function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
+function ContentOf({ name }: { name: Panel }) {
+  switch (name) {
+    case "lesson":
+      return <LessonPanel />;
+    case "program":
+      return record.value ? <RecordPanel opened={record.value} /> : <ProgramPanel />;
+    case "interleaving":
+      return <InterleavingPanel />;
+    case "machine":
+      return <MachinePanel />;
+    case "timeline":
+      return <TimelinePanel />;
+    case "scope":
+      return <ScopePanel />;
+    case "values":
+      return <ValuesPanel />;
+  }
+}
+
+function Box({ name }: { name: Panel }) {
   const isOutdated = ofCard.includes(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
@@ -43,7 +64,7 @@ function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
       <h2 class="panel-title" id={`panel-${name}`}>
         {titleOf(name)}
       </h2>
-      {children}
+      <ContentOf name={name} />
     </section>
   );
 }
@@ -58,11 +79,9 @@ export function App() {
   const t = texts.value;
   const failing = failingRun.value !== undefined;
   const shownPanels = panels.filter((name) => name !== "interleaving" || failing);
-  const timeline = (
-    <Box key="timeline" name="timeline">
-      <TimelinePanel />
-    </Box>
-  );
+  // The card of a host's record is not what the lesson is about.
+  const named = record.value ? undefined : layoutOf(source.lesson.value);
+  const { middle, right } = arrangementFor(named, failing);
   return (
     <>
       <a
@@ -94,34 +113,22 @@ export function App() {
           </button>
         ))}
       </nav>
-      <main class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}>
+      <main
+        class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}
+        data-layout={named}
+      >
         <div class="column">
-          <Box name="lesson">
-            <LessonPanel />
-          </Box>
+          <Box name="lesson" />
         </div>
         <div class="column">
-          <Box name="program">
-            {record.value ? <RecordPanel opened={record.value} /> : <ProgramPanel />}
-          </Box>
-          <Box name="values">
-            <ValuesPanel />
-          </Box>
+          {middle.map((name) => (
+            <Box key={name} name={name} />
+          ))}
         </div>
         <div class="column">
-          {failing && (
-            <Box key="interleaving" name="interleaving">
-              <InterleavingPanel />
-            </Box>
-          )}
-          {failing && timeline}
-          <Box key="machine" name="machine">
-            <MachinePanel />
-          </Box>
-          {!failing && timeline}
-          <Box key="scope" name="scope">
-            <ScopePanel />
-          </Box>
+          {right.map((name) => (
+            <Box key={name} name={name} />
+          ))}
         </div>
       </main>
     </>
