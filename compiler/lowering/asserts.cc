@@ -10,12 +10,12 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-using Kind = Statement::Kind;
+using StatementKind = Statement::Kind;
 
 // Statements that a thread executes. Labels and the braces of a block are none.
-bool IsExecuted(Kind kind) {
-  return kind <= Kind::kContinue && kind != Kind::kCase && kind != Kind::kDefault &&
-         kind != Kind::kLabel;
+bool IsExecuted(StatementKind kind) {
+  return kind <= StatementKind::kContinue && kind != StatementKind::kCase &&
+         kind != StatementKind::kDefault && kind != StatementKind::kLabel;
 }
 
 // The statement behind a comment in a function, in the innermost block around the comment.
@@ -26,7 +26,7 @@ const Statement* StatementBehind(const SourceRange& comment, const Function& fun
     ForEachStatement(*item, [&](const Statement& statement) {
       const SourceRange& range = statement.range;
       if (range.file != comment.file) return;
-      if (statement.kind == Kind::kBlock && Contains(range, comment)) {
+      if (statement.kind == StatementKind::kBlock && Contains(range, comment)) {
         block_end = std::min(block_end, range.end);
       }
       if (!IsExecuted(statement.kind) || range.begin < comment.end) return;
@@ -90,7 +90,7 @@ std::string_view TakeMember(std::string_view* text) {
 void Lowerer::PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& asserts) {
   for (const AssertComment& comment : asserts) {
     const auto around = std::ranges::find_if(tree.items, [&comment](const StatementPtr& item) {
-      if (item->kind != Kind::kFunction || item->function->prototype) return false;
+      if (item->kind != StatementKind::kFunction || item->function->prototype) return false;
       SourceRange body = item->function->header;
       body.end = item->function->close_brace.end;
       return Contains(body, comment.range);
@@ -108,7 +108,7 @@ void Lowerer::PlaceAsserts(const Tree& tree, const std::vector<AssertComment>& a
 
 // True for a statement whose assert needs it, or a block with nothing else.
 bool Lowerer::HasAssert(const Statement& statement) const {
-  if (statement.kind == Kind::kBlock && statement.items.size() == 1) {
+  if (statement.kind == StatementKind::kBlock && statement.items.size() == 1) {
     return HasAssert(*statement.items[0]);
   }
   return asserts_.contains(&statement);
