@@ -31,6 +31,9 @@ inline constexpr std::string_view kToolComment = "//@";
 /// any other line.
 std::optional<std::string_view> AssertConditionOf(std::string_view line);
 
+/// What stands behind `//@ depth:`, which bounds recursion (depth_comments.h); as with asserts.
+std::optional<std::string_view> DepthOf(std::string_view line);
+
 /// Calls `visit` with the number and the text of every line that is a comment for a tool, asserts
 /// too. A first line `//@ structured` is for the compiler.
 template <typename Visit>
@@ -45,11 +48,11 @@ void ForEachCommentLine(std::string_view source, const Visit& visit) {
   }
 }
 
-/// The same without asserts.
+/// The same without asserts and what is for the compiler.
 template <typename Visit>
 void ForEachToolComment(std::string_view source, const Visit& visit) {
   ForEachCommentLine(source, [&visit](int number, std::string_view line) {
-    if (!AssertConditionOf(line)) visit(number, line);
+    if (!AssertConditionOf(line) && !DepthOf(line)) visit(number, line);
   });
 }
 

@@ -17,9 +17,12 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   inclusion_points_ = std::move(preprocessor.inclusion_points());
   macro_uses_ = std::move(preprocessor.macros().uses());
   asserts_ = FindAsserts(files_);
-  std::erase_if(asserts_, [&preprocessor](const AssertComment& comment) {
+  depths_ = FindDepths(files_);
+  const auto is_skipped = [&preprocessor](const auto& comment) {
     return preprocessor.IsSkipped(comment.range);
-  });
+  };
+  std::erase_if(asserts_, is_skipped);
+  std::erase_if(depths_, is_skipped);
   tokens_ = std::move(preprocessor.tokens());
   const std::unordered_set<std::string_view> type_names = MarkTypeNames(tokens_);
   ParserDriver driver(tokens_, reporter, Dialect::kStructured);

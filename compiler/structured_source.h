@@ -13,6 +13,7 @@
 
 #include "compiler/asserts.h"
 #include "compiler/compiler.h"
+#include "compiler/depth_comments.h"
 #include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
@@ -45,6 +46,7 @@ class StructuredSource {
   const MacroUses& macro_uses() const { return macro_uses_; }
   /// Those in text that is read.
   const std::vector<AssertComment>& asserts() const { return asserts_; }
+  const std::vector<DepthComment>& depths() const { return depths_; }
   /// Adds to each diagnostic at the use of a macro where the macro is defined. Call once, when
   /// nothing more is reported.
   void AddMacroNotes(Reporter& reporter) const;
@@ -55,6 +57,7 @@ class StructuredSource {
   std::vector<uint32_t> inclusion_points_;
   MacroUses macro_uses_;
   std::vector<AssertComment> asserts_;
+  std::vector<DepthComment> depths_;
   std::vector<Token> tokens_;
   std::unordered_set<std::string_view> skipped_names_;
   Tree tree_;

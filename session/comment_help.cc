@@ -37,6 +37,13 @@ const std::vector<CommentWord>& CommentWords() {
        .values = {"any", "none"},
        .meaning = {"with `any`, threads may all wait without executing",
                    "取 `any` 时，允许所有线程都在等待而不执行"}},
+      {.name = "depth",
+       .form = "depth: NUMBER",
+       .meaning =
+           {"above a function that calls itself, in structured C: how many of its calls run "
+            "at the same time, at most; elsewhere, for all functions without their own",
+            "结构化 C 中写在调用自身的函数上方：同时进行的调用的最大数目；写在别处时对所有没有自己"
+            "深度的函数有效"}},
       {.name = "endless",
        .form = "endless",
        .meaning = {"the program is meant to run for ever: that it does not end is no failure",

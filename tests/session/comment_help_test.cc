@@ -44,8 +44,8 @@ std::vector<std::string> WordsAt(const std::string& marked) {
 TEST(CommentHelp, OffersWhatTheExplorerReads) {
   const auto refused = explore::ReadCommentLines("p.c", "//@ nonsense\n");
   ASSERT_FALSE(refused.ok());
-  // Two are comments of the compiler.
-  std::set<std::string> known = {"assert", "structured"};
+  // Three are comments of the compiler.
+  std::set<std::string> known = {"assert", "depth", "structured"};
   const std::string& text = refused.error().message.en;
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
   for (size_t at = text.find("//@ "); at != std::string::npos; at = text.find("//@ ", at)) {
