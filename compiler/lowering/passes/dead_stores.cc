@@ -1,5 +1,5 @@
-// Assignments to locals that no path reads. What they read is not read any more, and a division or
-// an index that would fault does not fault: C leaves both open.
+// Assignments to locals that no path reads, and of locals to themselves. What they read is not read
+// any more, and a division or an index that would fault does not fault: C leaves both open.
 #include <algorithm>
 #include <utility>
 
@@ -174,10 +174,20 @@ bool RemoveUnreadAggregates(const Program& program, LoweredFunction& function) {
   return erased > 0;
 }
 
+bool RemoveCopiesToItself(const Program& program, LoweredFunction& function) {
+  const size_t erased = std::erase_if(function.code, [&](const Instruction& instruction) {
+    return instruction.kind == Instruction::Kind::kUnary &&
+           instruction.unary == vm::UnaryOperator::kCopy && instruction.target.IsVariable() &&
+           instruction.target == instruction.a && IsLocalNumber(program, instruction.a.variable);
+  });
+  return erased > 0;
+}
+
 }  // namespace
 
 bool RemoveDeadStores(const Program& program, LoweredFunction& function) {
-  const bool removed = RemoveUnreadAggregates(program, function);
+  bool removed = RemoveUnreadAggregates(program, function);
+  removed |= RemoveCopiesToItself(program, function);
   return NeededStores(program, function).RemoveOthers() || removed;
 }
 
