@@ -127,6 +127,7 @@ class Lowerer {
     std::vector<std::pair<FunctionInfo*, SourceRange>> calls;
     int mark = 0;    // while looking for recursion
     int height = 0;  // levels of calls below it
+    int group = 0;   // the functions that call each other to which it belongs; 0: none
     // In the thread function that is being translated:
     bool shared = false;  // its calls are jumps
     int copies = 0;       // how often it is inlined
@@ -168,6 +169,10 @@ class Lowerer {
     std::vector<Targets> targets;
     std::vector<std::unordered_map<const Statement*, int>> cases;
     int body = 0;  // the shared body that it belongs to; 0: none
+  };
+  // Functions that call themselves through each other, or one that calls itself.
+  struct Group {
+    std::vector<FunctionInfo*> members;  // in their order
   };
   // The statements of a function that stand once for several calls.
   struct SharedBody {
@@ -228,6 +233,10 @@ class Lowerer {
   bool Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path);
   LoweredFunction LowerFunction(FunctionInfo& info);
   void DefineLabels(Frame& frame);
+
+  // --- recursion.cc ---
+  void FindGroups();
+  void CloseGroup(FunctionInfo& first, std::vector<FunctionInfo*>& open);
 
   // --- declarations.cc ---
   Type ResolveType(const Specifiers& specifiers) const;
@@ -480,6 +489,7 @@ class Lowerer {
   NameMaker global_names_;
   std::unordered_set<std::string> local_names_;   // of all functions
   std::unordered_map<const void*, int> statics_;  // variables of static locals by declarator
+  std::vector<Group> groups_;
   // Those that the program defines; a function that is inlined twice has its own once.
   std::unordered_map<const StructSpecifier*, OwnStructure> structures_;
   std::vector<InitialValue> initial_values_;

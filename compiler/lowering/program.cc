@@ -210,6 +210,7 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
     }
   }
   for (FunctionInfo& info : functions_) CollectCalls(info);
+  FindGroups();
   bool recurses = false;
   for (FunctionInfo& info : functions_) {
     std::vector<FunctionInfo*> path;
