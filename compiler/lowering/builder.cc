@@ -78,6 +78,7 @@ Operand Lowerer::NewTemporary(vm::DataType type, SourceRange range) {
   variable.role = Variable::Role::kTemporary;
   variable.type = type;
   variable.body = frame_ != nullptr ? frame_->body : 0;
+  variable.group = frame_ != nullptr ? frame_->group : 0;
   variable.range = range;
   program_.variables.push_back(std::move(variable));
   return VariableOperand(static_cast<int>(program_.variables.size()) - 1);

@@ -72,9 +72,10 @@ bool Lowerer::IsMoved(std::string_view name, const Function& function) {
   return moved;
 }
 
-// A parameter that stands for what its argument names in the caller.
+// A parameter, by its number, that stands for what its argument names in the caller. In a function
+// that calls itself its place is a variable if it is not always the same.
 std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration& parameter,
-                                                      const Expression& argument,
+                                                      size_t number, const Expression& argument,
                                                       const FunctionInfo& info) {
   const Declarator& declarator = parameter.declarator;
   const Type type = ResolveGlobalType(parameter.specifiers);
@@ -110,8 +111,24 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
   symbol.dimensions = std::move(*dimensions);
   symbol.variable = array->variable;
   symbol.offset = Stable(array->offset, argument.range);
+  const Variable& variable = program_.variables[static_cast<size_t>(symbol.variable)];
+  if (IsRecursive(info) && variable.group == info.group) {
+    Report(Code::kNotLowered, argument.range,
+           MakeMessage("a reference to '{0}', of which each call of '{1}' has its own",
+                       "对 '{0}' 的引用，'{1}' 的每次调用各有一份", Source(argument.range),
+                       info.syntax->name),
+           MakeMessage("make it static or global, or return the value",
+                       "请改为 static 或全局变量，或返回该值"));
+    return std::nullopt;
+  }
+  const bool begins_there = symbol.offset.IsConstant() && symbol.offset.value == 0;
   symbol.moves = IsMoved(declarator.name, *info.syntax);
-  if (symbol.moves && program_.variables[static_cast<size_t>(symbol.variable)].size == 0) {
+  if (info.group != 0 && variable.size == 0) {
+    symbol.moves |= !begins_there;
+  } else if (info.group != 0) {
+    symbol.moves |= !symbol.offset.IsConstant() || !PassesNames(info, number);
+  }
+  if (symbol.moves && variable.size == 0) {
     Report(Code::kNotLowered, argument.range,
            MakeMessage("moving '{0}' away from a number", "把 '{0}' 从一个数移开", declarator.name),
            MakeMessage("pass an array", "请传递数组"));
@@ -176,7 +193,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     symbol.range = declarator.name_range;
     symbol.offset = IntOperand(0);
     if (IsReference(declarator, type)) {
-      std::optional<Symbol> reference = BindReference(*parameters[i], argument, info);
+      std::optional<Symbol> reference = BindReference(*parameters[i], i, argument, info);
       if (!reference) return false;
       symbol = std::move(*reference);
       if (symbol.moves) {
@@ -220,6 +237,19 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     if (!declarator.name.empty()) scope.emplace(declarator.name, std::move(symbol));
   }
   KeepOffsets(scope, call.range);
+  if (info.group != 0) {
+    for (Argument& copy : copies) {
+      OwnByFrames(copy.place.operand.variable, copy.place.type, info.group);
+      // The arguments may be parameters of the same function, which are assigned one by one.
+      if (!IsRecursive(info) || copies.size() == 1) continue;
+      if (copy.structure) {
+        *copy.structure = CopyOf(*copy.structure, copy.range);
+      } else {
+        copy.value.operand = LoadedOnce(copy.value.operand, copy.range);
+      }
+    }
+    BeginFrame(info, call.range);
+  }
   for (const Argument& copy : copies) {
     if (copy.structure) {
       CopyStructure(StructureAt(copy.place.operand.variable, copy.place.type), *copy.structure,
@@ -229,6 +259,27 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     }
   }
   return good;
+}
+
+// A value in a temporary, which nothing else changes.
+Operand Lowerer::LoadedOnce(const Operand& value, SourceRange range) {
+  const bool loaded =
+      value.IsVariable() &&
+      program_.variables[static_cast<size_t>(value.variable)].role == Variable::Role::kTemporary;
+  if (value.IsConstant() || loaded) return value;
+  const Operand temporary = NewTemporary(value.type, range);
+  EmitCopy(temporary, value, range);
+  return temporary;
+}
+
+// A copy of a structure.
+ArrayPlace Lowerer::CopyOf(const ArrayPlace& structure, SourceRange range) {
+  const Type& type = structure.element;
+  const ArrayPlace copy = StructureAt(
+      NewVariable(Variable::Role::kLocal, fmt::format("{}copy", frame_->prefix), type, {}, range),
+      type);
+  CopyStructure(copy, structure, range);
+  return copy;
 }
 
 // What holds the result of a call; of a structure, its first variable.
@@ -276,6 +327,7 @@ void Lowerer::LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scop
   frame.scope_base = scopes_.size();
   frame.prefix = fmt::format("{}_", info.syntax->name);
   frame.body = end.body;
+  frame.group = info.group != 0 ? info.group : frame_->group;
   frame.result = end.result;
   frame.return_label = end.label;
   Frame* const outer = frame_;

@@ -174,6 +174,7 @@ int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type&
     local_names_.insert(name);
     Variable variable = VariableFor(leaf, dimensions, own ? written : name, name);
     variable.role = role;
+    variable.group = frame_ != nullptr ? frame_->group : 0;
     variable.range = range;
     program_.variables.push_back(std::move(variable));
   }

@@ -27,6 +27,10 @@ struct Variable {
   const gtcalls::Structure* structure = nullptr;
   /// Of a temporary: the shared body whose statements use it, 0 for none.
   int body = 0;
+  /// Of a local: the recursive functions of which each call has its own; 0: none.
+  int group = 0;
+  /// An array whose bounds are checked when it is written: that is never left out.
+  bool checks = false;
   SourceRange range;  ///< where it is declared
 };
 

@@ -3,8 +3,9 @@
 // initialisers.cc variables, structures.cc those of structures, statements.cc, loops.cc and
 // switches.cc statements, expressions.cc, unsigned.cc, conversions.cc, conditions.cc,
 // assignments.cc and places.cc expressions, calls.cc own functions, asserts.cc comments,
-// shared_bodies.cc those whose statements stand once for several calls, commands.cc GT commands,
-// start.cc initial values of globals.
+// shared_bodies.cc those whose statements stand once for several calls, recursion.cc which call
+// themselves, frames.cc what these keep, commands.cc GT commands, start.cc initial values of
+// globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -17,6 +18,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +32,7 @@
 #include "compiler/asserts.h"
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
+#include "compiler/depth_comments.h"
 #include "compiler/lowering/ir.h"
 #include "compiler/lowering/types.h"
 #include "compiler/macro_expander.h"
@@ -112,9 +115,10 @@ class Lowerer {
   Lowerer(const Lowerer&) = delete;
   Lowerer& operator=(const Lowerer&) = delete;
 
-  /// Translates a whole program with its asserts. The result is valid only if no error was
-  /// reported.
-  Program Lower(const Tree& tree, const std::vector<AssertComment>& asserts);
+  /// Translates a whole program with its asserts and the depths of its recursion. The result is
+  /// valid only if no error was reported.
+  Program Lower(const Tree& tree, const std::vector<AssertComment>& asserts,
+                const std::vector<DepthComment>& depths);
 
  protected:
   struct FunctionInfo {
@@ -124,10 +128,11 @@ class Lowerer {
     int order = 0;
     bool is_static = false;
     bool called = false;
-    std::vector<std::pair<FunctionInfo*, SourceRange>> calls;
+    std::vector<std::pair<FunctionInfo*, const Expression*>> calls;
     int mark = 0;    // while looking for recursion
     int height = 0;  // levels of calls below it
     int group = 0;   // the functions that call each other to which it belongs; 0: none
+    const DepthComment* depth = nullptr;  // right above it
     // In the thread function that is being translated:
     bool shared = false;  // its calls are jumps
     int copies = 0;       // how often it is inlined
@@ -168,11 +173,31 @@ class Lowerer {
     std::unordered_map<std::string_view, int> labels;
     std::vector<Targets> targets;
     std::vector<std::unordered_map<const Statement*, int>> cases;
-    int body = 0;  // the shared body that it belongs to; 0: none
+    int body = 0;   // the shared body that it belongs to; 0: none
+    int group = 0;  // the recursive functions that it belongs to, or is inlined in; 0: none
   };
   // Functions that call themselves through each other, or one that calls itself.
   struct Group {
     std::vector<FunctionInfo*> members;  // in their order
+    int depth = 0;                       // frames at the same time; 0: not known
+  };
+  // A call of a group within the group, in the thread function that is being translated.
+  struct RecursiveCall {
+    int group = 0;
+    int body = 0;             // the one that calls
+    size_t save = 0;          // the statement that keeps the first thing
+    size_t jump = 0;          // the statement before the other body
+    size_t restore = 0;       // the first statement behind it
+    std::vector<int> kept;    // variables that it needs afterwards
+    std::vector<int> arrays;  // where they are meanwhile
+  };
+  // The variables of a group in the thread function that is being translated.
+  struct Frames {
+    Operand depth;     // how many frames are kept
+    int back = -1;     // an array: which call each of them was
+    size_t rows = 0;   // of the arrays
+    size_t slots = 0;  // of a frame
+    SourceRange range;
   };
   // The statements of a function that stand once for several calls.
   struct SharedBody {
@@ -230,13 +255,8 @@ class Lowerer {
   void ReserveGlobals(const Tree& tree);
   void DeclareFunction(const Function& syntax);
   void CollectCalls(FunctionInfo& info);
-  bool Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path);
   LoweredFunction LowerFunction(FunctionInfo& info);
   void DefineLabels(Frame& frame);
-
-  // --- recursion.cc ---
-  void FindGroups();
-  void CloseGroup(FunctionInfo& first, std::vector<FunctionInfo*>& open);
 
   // --- declarations.cc ---
   Type ResolveType(const Specifiers& specifiers) const;
@@ -424,9 +444,11 @@ class Lowerer {
   // --- calls.cc ---
   Value LowerCall(const Expression& expression);
   Operand NewResult(const Expression& call, const FunctionInfo& info);
+  Operand LoadedOnce(const Operand& value, SourceRange range);
+  ArrayPlace CopyOf(const ArrayPlace& structure, SourceRange range);
   Value LowerOwnCall(const Expression& call, FunctionInfo& info);
   void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
-  std::optional<Symbol> BindReference(const ParameterDeclaration& parameter,
+  std::optional<Symbol> BindReference(const ParameterDeclaration& parameter, size_t number,
                                       const Expression& argument, const FunctionInfo& info);
   static bool IsMoved(std::string_view name, const Function& function);
   void KeepOffsets(Scope& scope, SourceRange range);
@@ -442,6 +464,32 @@ class Lowerer {
   Value LowerSharedCall(const Expression& call, FunctionInfo& info, Scope scope);
   void EmitWaysBack();
   void CompareBodies();
+
+  // --- recursion.cc ---
+  void FindGroups();
+  void CloseGroup(FunctionInfo& first, std::vector<FunctionInfo*>& open);
+  void PlaceDepths(const Tree& tree, const std::vector<DepthComment>& depths);
+  void PlaceDepth(const Tree& tree, const DepthComment& comment);
+  void SetDepths();
+  bool RecursesUnbounded(FunctionInfo& info, std::vector<FunctionInfo*>& path);
+  bool HasCallers(const Group& group) const;
+  bool PassesNames(const FunctionInfo& info, size_t parameter) const;
+
+  // --- frames.cc ---
+  Group& GroupOf(const FunctionInfo& info) { return groups_[static_cast<size_t>(info.group) - 1]; }
+  bool IsRecursive(const FunctionInfo& info) const;
+  Frames& FramesOf(const FunctionInfo& info, SourceRange range);
+  void BeginFrame(const FunctionInfo& info, SourceRange range);
+  void EndFrame(RecursiveCall& call, SourceRange range);
+  void OwnByFrames(int variable, const Type& type, int group);
+  void EmitFrames();
+  std::vector<std::vector<size_t>> WaysTo() const;
+  std::set<int> WrittenBefore(const RecursiveCall& call,
+                              const std::vector<std::vector<size_t>>& before) const;
+  void FindKept(int group);
+  void MakeArrays(int group, const Group& sizes);
+  int NewArray(const Frames& frames, std::string_view wish, vm::DataType type, int size);
+  void CopyKept(const RecursiveCall& call, bool save);
 
   // --- commands.cc ---
   void LowerCommand(const Expression& call, const gtcalls::Command& command);
@@ -490,6 +538,7 @@ class Lowerer {
   std::unordered_set<std::string> local_names_;   // of all functions
   std::unordered_map<const void*, int> statics_;  // variables of static locals by declarator
   std::vector<Group> groups_;
+  const DepthComment* depth_of_all_ = nullptr;  // of functions that have no comment
   // Those that the program defines; a function that is inlined twice has its own once.
   std::unordered_map<const StructSpecifier*, OwnStructure> structures_;
   std::vector<InitialValue> initial_values_;
@@ -512,6 +561,8 @@ class Lowerer {
   NameMaker label_names_;
   std::unordered_map<const void*, int> variables_;  // by declarator or parameter
   std::deque<SharedBody> bodies_;
+  std::map<int, Frames> frames_;  // by group
+  std::vector<RecursiveCall> recursive_calls_;
   int inlined_ = 0;
   int statement_ = 0;     // the full expression that is being translated
   bool stopped_ = false;  // it became too long

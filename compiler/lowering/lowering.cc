@@ -133,7 +133,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   if (!reporter.HasErrors()) {
     lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
                                                   reporter, lowering_options.optimize)
-                                    .Lower(source.tree(), source.asserts());
+                                    .Lower(source.tree(), source.asserts(), source.depths());
     result.tried_statements = program.tried_statements;
     if (!reporter.HasErrors()) {
       const auto taken = lowering::SharedNames(program);

@@ -1,4 +1,4 @@
-// The functions of a program: which of them are thread functions, and that none calls itself.
+// The functions of a program: which of them are thread functions.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 
 namespace oncard::compiler::lowering {
 namespace {
-
-constexpr int kCallDepthMax = 16;
 
 // Words that a generated name must not have.
 constexpr std::string_view kReserved[] = {
@@ -69,7 +67,7 @@ void Lowerer::CollectCalls(FunctionInfo& info) {
     const auto found = scopes_[0].find(callee.text);
     if (found == scopes_[0].end() || found->second.function == nullptr) return;
     found->second.function->called = true;
-    info.calls.emplace_back(found->second.function, expression.range);
+    info.calls.emplace_back(found->second.function, &expression);
   };
   const auto in_statement = [&in_expression](const Statement& statement) {
     ForEachWholeExpression(statement, [&in_expression](const Expression& whole) {
@@ -77,37 +75,6 @@ void Lowerer::CollectCalls(FunctionInfo& info) {
     });
   };
   for (const StatementPtr& item : info.syntax->body) ForEachStatement(*item, in_statement);
-}
-
-// Follows the calls of a function; reports those that lead back, or too deep.
-bool Lowerer::Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path) {
-  constexpr int kOpen = 1;
-  constexpr int kClosed = 2;
-  info.mark = kOpen;
-  path.push_back(&info);
-  bool recurses = false;
-  for (const auto& [callee, range] : info.calls) {
-    if (callee->mark != kOpen) {
-      // A level of calls takes the stack of all that a function can nest.
-      const bool deep = static_cast<int>(path.size()) + callee->height >= kCallDepthMax;
-      if (deep) Report(Code::kTooDeep, range, int64_t{kCallDepthMax});
-      recurses |= deep || (callee->mark != kClosed && Recurses(*callee, path));
-      info.height = std::max(info.height, callee->height + 1);
-      continue;
-    }
-    std::string cycle;
-    bool inside = false;
-    for (const FunctionInfo* function : path) {
-      inside |= function == callee;
-      if (inside) cycle += fmt::format("{} -> ", function->syntax->name);
-    }
-    Report(Code::kRecursion, range, callee->syntax->name,
-           cycle + std::string(callee->syntax->name));
-    recurses = true;
-  }
-  path.pop_back();
-  info.mark = kClosed;
-  return recurses;
 }
 
 void Lowerer::DefineLabels(Frame& frame) {
@@ -133,6 +100,8 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   label_names_ = NameMaker();
   variables_.clear();
   bodies_.clear();
+  frames_.clear();
+  recursive_calls_.clear();
   inlined_ = 0;
   stopped_ = false;
   function.name = syntax.name;
@@ -176,6 +145,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   }
   DefineLabels(frame);
   LowerBody(syntax.body);
+  EmitFrames();
   EmitWaysBack();
   scopes_.pop_back();
   frame_ = nullptr;
@@ -191,7 +161,8 @@ void Lowerer::ReserveGlobals(const Tree& tree) {
   }
 }
 
-Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asserts) {
+Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asserts,
+                       const std::vector<DepthComment>& depths) {
   scopes_.emplace_back();
   for (const std::string_view word : kReserved) global_names_.Reserve(word);
   ReserveGlobals(tree);
@@ -211,12 +182,17 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
   }
   for (FunctionInfo& info : functions_) CollectCalls(info);
   FindGroups();
-  bool recurses = false;
+  const size_t reported = reporter_.diagnostics().size();
+  PlaceDepths(tree, depths);
+  SetDepths();
+  // Which functions lack a depth is not known then.
+  if (reporter_.diagnostics().size() > reported) return std::move(program_);
+  bool unbounded = false;
   for (FunctionInfo& info : functions_) {
     std::vector<FunctionInfo*> path;
-    if (info.mark == 0 && !info.is_static) recurses |= Recurses(info, path);
+    if (info.mark == 0 && !info.is_static) unbounded |= RecursesUnbounded(info, path);
   }
-  if (recurses) return std::move(program_);
+  if (unbounded) return std::move(program_);
   PlaceAsserts(tree, asserts);
   for (FunctionInfo& info : functions_) {
     if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);

@@ -56,8 +56,10 @@ Lowerer::SharedBody* Lowerer::FindBody(const FunctionInfo& info, const Scope& sc
   return nullptr;
 }
 
-// An array that begins at a computed element is another one in each call.
+// An array that begins at a computed element is another one in each call. What calls itself cannot
+// be inlined, and has the place of such an array in a variable.
 bool Lowerer::CanShare(const FunctionInfo& info, const Scope& scope) const {
+  if (info.group != 0) return true;
   return info.shared && std::all_of(scope.begin(), scope.end(), [](const auto& parameter) {
            return parameter.second.offset.IsConstant();
          });
@@ -67,11 +69,14 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
   const BasicType type = info.type.basic;
   const std::string_view name = info.syntax->name;
   SharedBody* body = FindBody(info, scope);
+  const bool recursive = IsRecursive(info);
+  const size_t number = recursive_calls_.size() - 1;  // of a recursive call, which has begun
   const int back = NewLabel(name, call.range, body != nullptr ? "back" : "first");
   if (body != nullptr) {
     EmitCopy(body->number, IntOperand(static_cast<int64_t>(body->back.size())), call.range);
     body->back.push_back(back);
     EmitGoto(body->begin, call.range);
+    if (recursive) recursive_calls_[number].jump = out_->code.size() - 1;
     EmitLabel(back, call.range);
   } else {
     body = &bodies_.emplace_back();
@@ -84,13 +89,19 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
                                          of, {}, call.range));
     };
     body->number = make("call", Type{});
-    if (type != BasicType::kVoid) body->result = make("result", info.type);
+    OwnByFrames(body->number.variable, Type{}, 0);
+    if (type != BasicType::kVoid) {
+      body->result = make("result", info.type);
+      OwnByFrames(body->result.variable, info.type, 0);
+    }
     body->begin = NewLabel(fmt::format("lbl_{}", name));
     body->end = NewLabel(name, call.range, "end");
     EmitCopy(body->number, IntOperand(0), call.range);
+    if (recursive) recursive_calls_[number].jump = out_->code.size() - 1;
     EmitLabel(body->begin, call.range);
     LowerBodyOf(call, info, std::move(scope), {body->id, body->end, body->result});
   }
+  if (recursive) EndFrame(recursive_calls_[number], call.range);
   if (type == BasicType::kVoid) return {Operand(), type, type};
   // Another call may follow before the result is used.
   const Operand result = NewResult(call, info);

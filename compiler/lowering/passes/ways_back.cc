@@ -17,8 +17,10 @@ bool Compares(const Instruction& instruction, int number) {
          instruction.a.variable == number && instruction.b.IsConstant();
 }
 
+// A recursive call that ends gives the number back what another statement has assigned.
 bool Assigns(const Instruction& instruction, int number) {
-  return instruction.target.IsVariable() && instruction.target.variable == number;
+  return instruction.target.IsVariable() && instruction.target.variable == number &&
+         instruction.a.IsConstant();
 }
 
 // The calls of each shared body that a path reaches, by their numbers.
