@@ -35,6 +35,15 @@ std::string CostTable(const compiler::Lowering& lowering, const Invocation& invo
                                                              cost.name, jumps.calls, jumps.name)));
     }
   }
+  for (const compiler::FunctionCost& cost : lowering.costs) {
+    for (const compiler::FramesCost& frames : cost.frames) {
+      text += fmt::format("{}\n",
+                          invocation.Say(MakeMessage(
+                              "{0}: {1} calls of {2} may wait, which takes {3} page slots",
+                              "{0}：{2} 最多有 {1} 次调用在等待，占用 {3} 个页存储单元", cost.name,
+                              frames.count, frames.name, frames.count * frames.slots)));
+    }
+  }
   return text +
          fmt::format("{}\n", invocation.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
                                                         lowering.global_slots)));

@@ -50,6 +50,20 @@ std::string Largest(const Program& program, const Numbers& numbers) {
   return text;
 }
 
+// How deep recursive functions may be if all else in the page stays as it is.
+Message FittingDepth(const FramesCost& frames, int page_slots) {
+  const int left = vm::kSlotCount - (page_slots - frames.count * frames.slots);
+  const int depth = left / frames.slots + 1;
+  if (depth < 2) {
+    return MakeMessage("each call of '{0}' that waits takes {1} slots; no depth fits",
+                       "'{0}' 每次等待中的调用占用 {1} 个存储单元；任何深度都放不下", frames.name,
+                       frames.slots);
+  }
+  return MakeMessage("each call of '{0}' that waits takes {1} slots; '//@ depth: {2}' fits",
+                     "'{0}' 每次等待中的调用占用 {1} 个存储单元；'//@ depth: {2}' 可以放下",
+                     frames.name, frames.slots, depth);
+}
+
 }  // namespace
 
 FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
@@ -59,17 +73,23 @@ FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
     if (instruction.kind == Instruction::Kind::kLabel) ++cost.labels;
     if (instruction.IsStatement()) ++cost.statements;
   }
-  for (const int number : PageOf(program, function)) {
+  const std::set<int> page = PageOf(program, function);
+  for (const int number : page) {
     const Variable& variable = program.variables[static_cast<size_t>(number)];
     if (variable.role == Variable::Role::kTemporary) ++cost.temporaries;
     cost.page_slots += SlotsOf(variable);
   }
   for (const SharedCalls& shared : function.calls) {
-    const auto calls = std::count_if(function.code.begin(), function.code.end(),
-                                     [&shared](const Instruction& instruction) {
-                                       return instruction.target.variable == shared.number;
-                                     });
+    const auto calls = std::count_if(
+        function.code.begin(), function.code.end(), [&shared](const Instruction& instruction) {
+          return instruction.target.variable == shared.number && instruction.a.IsConstant();
+        });
     if (calls > 0) cost.jumps.push_back({shared.name, static_cast<int>(calls)});
+  }
+  for (const KeptFrames& frames : function.frames) {
+    if (page.contains(frames.array)) {
+      cost.frames.push_back({frames.name, frames.count, frames.slots});
+    }
   }
   return cost;
 }
@@ -94,10 +114,14 @@ void CheckLimits(const Program& program, const std::vector<FunctionCost>& costs,
   for (size_t i = 0; i < program.functions.size(); ++i) {
     const LoweredFunction& function = program.functions[i];
     if (costs[i].page_slots > vm::kSlotCount) {
-      reporter.Report(Code::kLoweredTooLarge, function.header,
-                      MakeMessage("the function '{0}'", "函数 '{0}'", function.name),
-                      int64_t{costs[i].page_slots}, int64_t{vm::kSlotCount},
-                      Largest(program, PageOf(program, function)));
+      Diagnostic& diagnostic =
+          reporter.Report(Code::kLoweredTooLarge, function.header,
+                          MakeMessage("the function '{0}'", "函数 '{0}'", function.name),
+                          int64_t{costs[i].page_slots}, int64_t{vm::kSlotCount},
+                          Largest(program, PageOf(program, function)));
+      for (const FramesCost& frames : costs[i].frames) {
+        AddNote(diagnostic, FittingDepth(frames, costs[i].page_slots));
+      }
     }
     if (costs[i].labels > vm::kLabelMax) {
       reporter.Report(Code::kLoweredLabels, function.header, function.name,

@@ -101,6 +101,14 @@ struct SharedCalls {
   int number = -1;  ///< the variable that says which call it is, from 0; each call assigns its own
 };
 
+/// What the calls of recursive functions that wait for another one take.
+struct KeptFrames {
+  std::string name;  ///< of the first function
+  int array = -1;    ///< a variable that every call uses
+  int count = 0;     ///< of frames
+  int slots = 0;     ///< of each
+};
+
 /// A thread function.
 struct LoweredFunction {
   std::string name;
@@ -109,6 +117,7 @@ struct LoweredFunction {
   std::vector<Instruction> code;
   std::vector<std::string> labels;  ///< names, by number
   std::vector<SharedCalls> calls;   ///< those that are jumps; all others are inlined
+  std::vector<KeptFrames> frames;
   SourceRange header;
   SourceRange end;  ///< the closing brace
 };

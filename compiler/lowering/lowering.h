@@ -28,6 +28,13 @@ struct JumpCalls {
   int calls = 0;
 };
 
+/// What the calls of recursive functions that wait for another one take. The page has it.
+struct FramesCost {
+  std::string name;  ///< of the first of the functions that call each other
+  int count = 0;     ///< one less than the depth
+  int slots = 0;     ///< of each
+};
+
 /// What a thread function takes on the card.
 struct FunctionCost {
   std::string name;
@@ -36,6 +43,7 @@ struct FunctionCost {
   int temporaries = 0;
   int page_slots = 0;            ///< parameters, locals and temporaries
   std::vector<JumpCalls> jumps;  ///< calls that are jumps; all others are inlined
+  std::vector<FramesCost> frames;
 };
 
 struct Lowering {
