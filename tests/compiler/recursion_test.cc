@@ -1,0 +1,163 @@
+// Functions that call themselves: how deep they may go, what they keep, and what is refused. That
+// they compute what C computes is tested by tests/lang/structured/recursion.c and
+// tests/differential.
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "compiler/lowering/lowering.h"
+#include "runtime/sim/controller.h"
+#include "tests/compiler/memory_files.h"
+
+namespace oncard::compiler {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int64_t kCycleLimit = 4000;
+
+Lowering Lowered(const std::string& program, bool optimize = true) {
+  return LowerText("p.c", program, {}, {.optimize = optimize}, NoFiles());
+}
+
+// `sum(n)` needs n + 1 frames.
+std::string Sum(int depth, int argument) {
+  return fmt::format(
+      "int v;\n"
+      "//@ depth: {}\n"
+      "int sum(int n) {{\n"
+      "  if (n == 0) return 0;\n"
+      "  return n +\n"
+      "         sum(n - 1);\n"
+      "}}\n"
+      "void t0() {{ v = sum({}); }}\n",
+      depth, argument);
+}
+
+// What the first thread function does: "ends", or its fault and the line of that.
+std::string Outcome(const Lowering& lowering) {
+  if (!lowering.object) return "not lowered: " + lowering.diagnostics.at(0).message.en;
+  runtime::Controller controller;
+  if (!controller.Load(*lowering.object).ok()) return "not loaded";
+  vm::Machine& machine = controller.machine();
+  if (machine.Bind(0, 1, 0) != 0 || machine.Run(0) != 0) return "not started";
+  if (controller.RunUntilQuiet(kCycleLimit) != runtime::RunEnd::kQuiet) return "runs for ever";
+  const vm::ThreadState& thread = machine.thread(0);
+  if (thread.run != vm::ThreadRun::kFaulted) return "ends";
+  return fmt::format("fault {} in line {}", thread.error,
+                     lowering.object->functions[0].lines.at(thread.pc));
+}
+
+TEST(Recursion, MayBeAsDeepAsItsComment) {
+  for (const bool optimize : {true, false}) {
+    EXPECT_EQ(Outcome(Lowered(Sum(4, 3), optimize)), "ends");
+    EXPECT_EQ(Outcome(Lowered(Sum(4, 4), optimize)), "fault 101 in line 6");
+    EXPECT_EQ(Outcome(Lowered(Sum(4, 100), optimize)), "fault 101 in line 6");
+    EXPECT_EQ(Outcome(Lowered(Sum(1, 0), optimize)), "ends");
+    EXPECT_EQ(Outcome(Lowered(Sum(1, 1), optimize)), "fault 101 in line 6");
+  }
+}
+
+TEST(Recursion, FaultsAlsoWhereNothingIsKept) {
+  const std::string program =
+      "int v;\n"
+      "//@ depth: 9\n"
+      "void down() {\n"
+      "  down();\n"
+      "  v++;\n"
+      "}\n"
+      "void t0() { down(); }\n";
+  EXPECT_EQ(Outcome(Lowered(program)), "fault 101 in line 4");
+  EXPECT_EQ(Outcome(Lowered(program, false)), "fault 101 in line 4");
+}
+
+// The calls of a circle wait for each other.
+TEST(Recursion, CountsTheFramesOfACircleTogether) {
+  const auto circle = [](int argument) {
+    return fmt::format(
+        "int v;\n"
+        "int odd(int n);\n"
+        "//@ depth: 5\n"
+        "int even(int n) {{ if (n == 0) return 1; return !odd(n - 1) * 1; }}\n"
+        "int odd(int n) {{ if (n == 0) return 1; return !even(n - 1) * 1; }}\n"
+        "void t0() {{ v = even({}); }}\n",
+        argument);
+  };
+  EXPECT_EQ(Outcome(Lowered(circle(4))), "ends");
+  EXPECT_EQ(Outcome(Lowered(circle(5))), "fault 101 in line 4");
+}
+
+// A second call from elsewhere begins with the first frame.
+TEST(Recursion, BeginsAnewWithEachCallFromElsewhere) {
+  std::string program = Sum(4, 3);
+  program.replace(program.rfind("v = sum(3);"), 11,
+                  "for (int i = 0; i < 9; i++) v += sum(sum(2));");
+  EXPECT_EQ(Outcome(Lowered(program)), "ends");
+}
+
+TEST(Recursion, CostsTheSlotsOfTheCallsThatWait) {
+  const Lowering lowering = Lowered(Sum(100, 3));
+  ASSERT_EQ(lowering.costs.size(), 1u);
+  ASSERT_EQ(lowering.costs[0].frames.size(), 1u);
+  const FramesCost& frames = lowering.costs[0].frames[0];
+  EXPECT_EQ(frames.name, "sum");
+  EXPECT_EQ(frames.count, 99);
+  EXPECT_EQ(frames.slots, 2);  // n and the way back
+  const Lowering shorter = Lowered(Sum(99, 3));
+  EXPECT_EQ(lowering.costs[0].page_slots, shorter.costs.at(0).page_slots + 2);
+}
+
+TEST(Recursion, SaysWhichDepthFits) {
+  const Lowering lowering = Lowered(Sum(1000, 3));
+  ASSERT_EQ(lowering.diagnostics.size(), 1u);
+  const Diagnostic& diagnostic = lowering.diagnostics[0];
+  EXPECT_EQ(diagnostic.info->slug, "lowered-too-large");
+  ASSERT_EQ(diagnostic.notes.size(), 1u);
+  const Message& note = diagnostic.notes[0].message;
+  EXPECT_THAT(note.en, HasSubstr("each call of 'sum' that waits takes 2 slots"));
+  EXPECT_THAT(note.zh, HasSubstr("'sum' 每次等待中的调用占用 2 个存储单元"));
+  const size_t begin = note.en.find("depth: ") + 7;
+  const int depth = std::stoi(note.en.substr(begin));
+  EXPECT_EQ(Outcome(Lowered(Sum(depth, 400))), "ends");
+  EXPECT_FALSE(Lowered(Sum(depth + 1, 400)).object.has_value());
+}
+
+TEST(Recursion, IsRefusedWithoutADepth) {
+  std::string program = Sum(4, 3);
+  program.replace(program.find("//@ depth: 4"), 12, "");
+  const Lowering lowering = Lowered(program);
+  ASSERT_EQ(lowering.diagnostics.size(), 1u);
+  EXPECT_EQ(lowering.diagnostics[0].message.en,
+            "'sum' calls itself (sum -> sum); write '//@ depth: N' above it, with N calls at the "
+            "same time at most, or use a loop");
+  EXPECT_EQ(lowering.diagnostics[0].message.zh,
+            "'sum' 直接或间接调用自身（sum -> sum）；请在其上方写 '//@ depth: N'，N "
+            "为同时进行的调用的最大"
+            "数目，或改用循环");
+}
+
+// The text is for the card, whose tools know no depth.
+TEST(Recursion, LeavesItsCommentOut) {
+  const Lowering lowering = Lowered(Sum(4, 3));
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_EQ(lowering.text->find("//@"), std::string::npos);
+}
+
+// A constant index names the variable and the array that keeps it.
+TEST(Recursion, NamesWhatItKeeps) {
+  const Lowering lowering = Lowered(Sum(4, 3));
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text, HasSubstr("  sum_back[sum_depth] = sum_call;\n"
+                                        "  sum_n_kept[sum_depth] = sum_n;\n"
+                                        "  sum_depth = sum_depth + 1;\n"
+                                        "  sum_n = tmp1;\n"));
+  EXPECT_THAT(*lowering.text, HasSubstr("  sum_depth = sum_depth - 1;\n"
+                                        "  sum_call = sum_back[sum_depth];\n"
+                                        "  sum_n = sum_n_kept[sum_depth];\n"));
+}
+
+}  // namespace
+}  // namespace oncard::compiler
