@@ -11,7 +11,7 @@ C as people write it, and `oncard lower FILE.c -o OUT.c` translates it:
   for, while, do, if, else, switch, break, continue, goto
   nested expressions, ?:, && and ||, =, +=, ++ and the comma as in C
   functions of your own with values, arrays and references (int *p) as
-  parameters, not recursive
+  parameters; recursive ones with their depth, //@ depth: N
   int, unsigned, short, char, bool, double with C's conversions; enum, const,
   struct, typedef
   arrays with several dimensions, initial values, static locals
@@ -33,8 +33,8 @@ shorter.
 Another thread can run between two statements of the card. --annotate marks the
 statements of C that read and write a global in different ones.
 
-Pointers that are variables, strings, 64-bit integers, recursion and unions are
-refused, with the reason and the line, and no output is written.
+Pointers that are variables, strings, 64-bit integers and unions are refused,
+with the reason and the line, and no output is written.
 
 docs/structured.md shows every construct with what it becomes.
 )";
@@ -46,7 +46,7 @@ constexpr std::string_view kChinesePage = R"(结构化 C
 
   for、while、do、if、else、switch、break、continue、goto
   嵌套表达式、?:、&& 和 ||、=、+=、++ 和逗号，含义与 C 相同
-  自己的函数，参数为值、数组或引用（int *p），不能递归
+  自己的函数，参数为值、数组或引用（int *p）；递归函数须写深度 //@ depth: N
   int、unsigned、short、char、bool、double 及 C 的转换；enum、const、struct、
   typedef
   多维数组、初值、static 局部变量
@@ -66,7 +66,7 @@ constexpr std::string_view kChinesePage = R"(结构化 C
 控制卡的两条语句之间可能运行其他线程。--annotate 标出在不同语句中读写同一
 全局变量的 C 语句。
 
-指针变量、字符串、64 位整数、递归和联合会被拒绝，给出原因和行号，不写输出。
+指针变量、字符串、64 位整数和联合会被拒绝，给出原因和行号，不写输出。
 
 docs/structured.zh-CN.md 列出每种结构及其转换结果。
 )";
