@@ -16,6 +16,7 @@
 #include "fixed_program.h"
 #include "machine_run.h"
 #include "oracle.h"
+#include "recursive_program.h"
 #include "struct_program.h"
 #include "structured_program.h"
 #include "structured_run.h"
@@ -123,6 +124,10 @@ TEST(LoweredTest, LoweredTypesAndCallsComputeWhatGccComputes) {
 TEST(LoweredTest, LoweredDoublesComputeWhatGccComputes) { CheckAll(MakeFixedProgram, "fixed"); }
 
 TEST(LoweredTest, LoweredCallsComputeWhatGccComputes) { CheckAll(MakeCalledProgram, "called"); }
+
+TEST(LoweredTest, LoweredRecursionComputesWhatGccComputes) {
+  CheckAll(MakeRecursiveProgram, "recursive");
+}
 
 TEST(LoweredTest, LoweredStructuresComputeWhatGccComputes) {
   CheckAll(MakeStructProgram, "structs");
