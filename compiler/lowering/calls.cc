@@ -122,7 +122,7 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
     return std::nullopt;
   }
   const bool begins_there = symbol.offset.IsConstant() && symbol.offset.value == 0;
-  symbol.moves = IsMoved(declarator.name, *info.syntax);
+  symbol.moves = IsMoved(declarator.name, *info.syntax) || MovesInTailCall(info, number);
   if (info.group != 0 && variable.size == 0) {
     symbol.moves |= !begins_there;
   } else if (info.group != 0) {
@@ -275,7 +275,7 @@ Operand Lowerer::LoadedOnce(const Operand& value, SourceRange range) {
 // A copy of a structure.
 ArrayPlace Lowerer::CopyOf(const ArrayPlace& structure, SourceRange range) {
   const Type& type = structure.element;
-  const ArrayPlace copy = StructureAt(
+  ArrayPlace copy = StructureAt(
       NewVariable(Variable::Role::kLocal, fmt::format("{}copy", frame_->prefix), type, {}, range),
       type);
   CopyStructure(copy, structure, range);
@@ -335,6 +335,7 @@ void Lowerer::LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scop
   frame_ = &frame;
   scopes_.push_back(std::move(scope));
   DefineLabels(frame);
+  BeginBody();
   LowerBody(info.syntax->body);
   scopes_.pop_back();
   frame_ = outer;

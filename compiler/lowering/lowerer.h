@@ -4,8 +4,8 @@
 // switches.cc statements, expressions.cc, unsigned.cc, conversions.cc, conditions.cc,
 // assignments.cc and places.cc expressions, calls.cc own functions, asserts.cc comments,
 // shared_bodies.cc those whose statements stand once for several calls, recursion.cc which call
-// themselves, frames.cc what these keep, commands.cc GT commands, start.cc initial values of
-// globals.
+// themselves, frames.cc what these keep, tail_calls.cc calls that become loops, commands.cc GT
+// commands, start.cc initial values of globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -129,9 +129,10 @@ class Lowerer {
     bool is_static = false;
     bool called = false;
     std::vector<std::pair<FunctionInfo*, const Expression*>> calls;
-    int mark = 0;    // while looking for recursion
-    int height = 0;  // levels of calls below it
-    int group = 0;   // the functions that call each other to which it belongs; 0: none
+    std::unordered_set<const Expression*> tail_calls;  // of itself, which become jumps
+    int mark = 0;                                      // while looking for recursion
+    int height = 0;                                    // levels of calls below it
+    int group = 0;  // the functions that call each other to which it belongs; 0: none
     const DepthComment* depth = nullptr;  // right above it
     // In the thread function that is being translated:
     bool shared = false;  // its calls are jumps
@@ -167,7 +168,8 @@ class Lowerer {
   struct Frame {
     const FunctionInfo* info = nullptr;
     size_t scope_base = 0;
-    std::string prefix;  // of names: empty, or the inlined function's
+    std::string prefix;    // of names: empty, or the inlined function's
+    int begin_label = -1;  // of a function that calls itself in its end
     int return_label = -1;
     Operand result;  // of an inlined function
     std::unordered_map<std::string_view, int> labels;
@@ -342,6 +344,7 @@ class Lowerer {
   virtual void LowerInner(const Statement& body);
   void LowerIf(const Statement& statement);
   void LowerReturn(const Statement& statement);
+  void LowerReturnOf(const Expression* value, const Statement& statement);
   void LowerLeave(const Statement& statement);
   virtual std::optional<int> JumpTarget(const Statement& statement);
 
@@ -464,6 +467,19 @@ class Lowerer {
   Value LowerSharedCall(const Expression& call, FunctionInfo& info, Scope scope);
   void EmitWaysBack();
   void CompareBodies();
+
+  // --- tail_calls.cc ---
+  void FindTailCalls(FunctionInfo& info);
+  void AddTailCalls(const Expression& value, FunctionInfo& info);
+  void AddLast(const Statement& statement, FunctionInfo& info);
+  void AddLastOf(const std::vector<StatementPtr>& items, FunctionInfo& info);
+  bool EndsHere(const Statement& statement) const;
+  bool KeepsReferences(const Expression& call, const FunctionInfo& info) const;
+  static bool MovesInTailCall(const FunctionInfo& info, size_t parameter);
+  bool IsTailCall(const Expression& expression) const;
+  bool HasTailCall(const Expression& value) const;
+  void BeginBody();
+  void LowerTailCall(const Expression& call);
 
   // --- recursion.cc ---
   void FindGroups();

@@ -66,6 +66,7 @@ void Lowerer::CollectCalls(FunctionInfo& info) {
     if (callee.kind != Expression::Kind::kName) return;
     const auto found = scopes_[0].find(callee.text);
     if (found == scopes_[0].end() || found->second.function == nullptr) return;
+    if (info.tail_calls.contains(&expression)) return;
     found->second.function->called = true;
     info.calls.emplace_back(found->second.function, &expression);
   };
@@ -144,6 +145,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
     Define(declarator.name, std::move(symbol));
   }
   DefineLabels(frame);
+  BeginBody();
   LowerBody(syntax.body);
   EmitFrames();
   EmitWaysBack();
@@ -180,7 +182,11 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
         break;
     }
   }
-  for (FunctionInfo& info : functions_) CollectCalls(info);
+  PlaceAsserts(tree, asserts);
+  for (FunctionInfo& info : functions_) {
+    FindTailCalls(info);
+    CollectCalls(info);
+  }
   FindGroups();
   const size_t reported = reporter_.diagnostics().size();
   PlaceDepths(tree, depths);
@@ -193,7 +199,6 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
     if (info.mark == 0 && !info.is_static) unbounded |= RecursesUnbounded(info, path);
   }
   if (unbounded) return std::move(program_);
-  PlaceAsserts(tree, asserts);
   for (FunctionInfo& info : functions_) {
     if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);
   }

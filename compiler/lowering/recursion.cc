@@ -1,7 +1,8 @@
 // Which functions call themselves, alone or in a circle, and how many of their calls run at the
 // same time, at most. Functions that call each other are a group: a strongly connected part of the
-// graph of calls. A group needs a depth: a comment `//@ depth` above one of its functions, or the
-// one of the file. frames.cc has what becomes of its calls.
+// graph of calls, without those that tail_calls.cc makes jumps. A group needs a depth: a comment
+// `//@ depth` above one of its functions, or the one of the file. frames.cc has what becomes of its
+// calls.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -107,7 +108,8 @@ void Lowerer::PlaceDepth(const Tree& tree, const DepthComment& comment) {
   const std::string_view text = files_[static_cast<size_t>(comment.range.file)].text();
   const bool for_all = below == nullptr || !IsRightAbove(text, comment.range, below->header);
   FunctionInfo* const info = for_all ? nullptr : scopes_[0].at(below->name).function;
-  if (!for_all && (info == nullptr || info->group == 0)) {
+  const bool calls_itself = info != nullptr && (info->group != 0 || !info->tail_calls.empty());
+  if (!for_all && !calls_itself) {
     Report(Code::kDepth, comment.range,
            MakeMessage("'{0}' does not call itself; remove the comment",
                        "'{0}' 不调用自身；请删除此注释", below->name));

@@ -69,11 +69,29 @@ void Lowerer::LowerIf(const Statement& statement) {
 }
 
 void Lowerer::LowerReturn(const Statement& statement) {
+  LowerReturnOf(statement.value.get(), statement);
+}
+
+// Returns a value, which may be nullptr.
+void Lowerer::LowerReturnOf(const Expression* value, const Statement& statement) {
+  if (value != nullptr && HasTailCall(*value)) {
+    const Expression& inner = WithoutParens(*value);
+    if (IsTailCall(inner)) {
+      LowerTailCall(inner);
+      return;
+    }
+    const int otherwise = NewLabel("cond", inner.range, "else");
+    BranchIf(*inner.operands[0], false, otherwise);
+    LowerReturnOf(inner.operands[1].get(), statement);
+    EmitLabel(otherwise, inner.range);
+    LowerReturnOf(inner.operands[2].get(), statement);
+    return;
+  }
   const BasicType type = frame_->info->type.basic;
   Instruction instruction;
   instruction.kind = Instruction::Kind::kReturn;
-  if (statement.value != nullptr) {
-    const Expression& expression = *statement.value;
+  if (value != nullptr) {
+    const Expression& expression = *value;
     if (type == BasicType::kVoid) {
       Report(Code::kReturnValue, expression.range, frame_->info->syntax->name);
       return;
@@ -86,9 +104,9 @@ void Lowerer::LowerReturn(const Statement& statement) {
       const std::optional<TypedConstant> constant = Evaluate(expression);
       const std::optional<TypedConstant> converted =
           constant ? ConvertConstant(*constant, type) : std::nullopt;
-      Value value = converted ? ConstantValue(*converted, expression) : LowerValue(expression);
-      if (!RequireNumber(value, expression)) return;
-      instruction.a = Convert(value, type, expression.range).operand;
+      Value number = converted ? ConstantValue(*converted, expression) : LowerValue(expression);
+      if (!RequireNumber(number, expression)) return;
+      instruction.a = Convert(number, type, expression.range).operand;
     }
   }
   if (frame_->return_label >= 0) {
@@ -107,7 +125,11 @@ void Lowerer::LowerStatement(const Statement& statement) {
   switch (statement.kind) {
     case Kind::kExpression:
       BeginFullExpression(statement.value->range);
-      LowerEffect(*statement.value);
+      if (IsTailCall(WithoutParens(*statement.value))) {
+        LowerTailCall(WithoutParens(*statement.value));
+      } else {
+        LowerEffect(*statement.value);
+      }
       return;
     case Kind::kDeclaration:
       LowerDeclaration(statement);

@@ -146,7 +146,49 @@ TEST(Recursion, LeavesItsCommentOut) {
   EXPECT_EQ(lowering.text->find("//@"), std::string::npos);
 }
 
-// A constant index names the variable and the array that keeps it.
+// A call that is the last thing a function does keeps nothing: a thousand fit without a depth.
+TEST(Recursion, IsALoopAtTheEndOfAFunction) {
+  const std::string program =
+      "int v;\n"
+      "int up(int n) {\n"
+      "  if (n == 1000) return n;\n"
+      "  return up(n + 1);\n"
+      "}\n"
+      "void t0() { v = up(0); }\n";
+  const Lowering lowering = Lowered(program);
+  EXPECT_EQ(Outcome(lowering), "ends");
+  EXPECT_TRUE(lowering.costs.at(0).frames.empty());
+  EXPECT_EQ(Outcome(Lowered(program, false)), "ends");
+}
+
+// An assert behind the call must hold each time that a call ends.
+TEST(Recursion, IsNoLoopBeforeAnAssert) {
+  const Lowering lowering = Lowered(
+      "int v;\n"
+      "void up(int n) {\n"
+      "  if (n < 3) up(n + 1);\n"
+      "  //@ assert: n < 9\n"
+      "  return;\n"
+      "}\n"
+      "void t0() { up(0); }\n");
+  ASSERT_EQ(lowering.diagnostics.size(), 1u);
+  EXPECT_EQ(lowering.diagnostics[0].info->slug, "recursion");
+}
+
+// A reference to another variable in each call is no loop.
+TEST(Recursion, IsNoLoopIfAReferenceChanges) {
+  const Lowering lowering = Lowered(
+      "int v, w;\n"
+      "void to(int n, int *a, int *b) {\n"
+      "  *a += n;\n"
+      "  if (n > 0) to(n - 1, b, a);\n"
+      "}\n"
+      "void t0() { to(3, &v, &w); }\n");
+  ASSERT_EQ(lowering.diagnostics.size(), 1u);
+  EXPECT_EQ(lowering.diagnostics[0].info->slug, "recursion");
+}
+
+// An array has the name of the variable that it keeps.
 TEST(Recursion, NamesWhatItKeeps) {
   const Lowering lowering = Lowered(Sum(4, 3));
   ASSERT_TRUE(lowering.text.has_value());
