@@ -124,7 +124,6 @@ class Lowerer {
   struct FunctionInfo {
     const Function* syntax = nullptr;
     Type type;
-    std::vector<Type> parameters;
     int order = 0;
     bool is_static = false;
     bool called = false;
@@ -183,6 +182,7 @@ class Lowerer {
     std::vector<FunctionInfo*> members;  // in their order
     int depth = 0;                       // frames at the same time; 0: not known
   };
+  class DepthProof;
   // A call of a group within the group, in the thread function that is being translated.
   struct RecursiveCall {
     int group = 0;
@@ -490,6 +490,9 @@ class Lowerer {
   bool RecursesUnbounded(FunctionInfo& info, std::vector<FunctionInfo*>& path);
   bool HasCallers(const Group& group) const;
   bool PassesNames(const FunctionInfo& info, size_t parameter) const;
+
+  // --- proved_depth.cc ---
+  void ProveDepths();
 
   // --- frames.cc ---
   Group& GroupOf(const FunctionInfo& info) { return groups_[static_cast<size_t>(info.group) - 1]; }

@@ -191,6 +191,7 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
   const size_t reported = reporter_.diagnostics().size();
   PlaceDepths(tree, depths);
   SetDepths();
+  ProveDepths();
   // Which functions lack a depth is not known then.
   if (reporter_.diagnostics().size() > reported) return std::move(program_);
   bool unbounded = false;

@@ -1,8 +1,8 @@
 // Which functions call themselves, alone or in a circle, and how many of their calls run at the
 // same time, at most. Functions that call each other are a group: a strongly connected part of the
 // graph of calls, without those that tail_calls.cc makes jumps. A group needs a depth: a comment
-// `//@ depth` above one of its functions, or the one of the file. frames.cc has what becomes of its
-// calls.
+// `//@ depth` above one of its functions, or the one of the file, or what proved_depth.cc finds.
+// frames.cc has what becomes of its calls.
 #include <fmt/core.h>
 
 #include <algorithm>

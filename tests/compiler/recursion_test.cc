@@ -128,6 +128,7 @@ TEST(Recursion, SaysWhichDepthFits) {
 TEST(Recursion, IsRefusedWithoutADepth) {
   std::string program = Sum(4, 3);
   program.replace(program.find("//@ depth: 4"), 12, "");
+  program.replace(program.find("sum(3)"), 6, "sum(v)");
   const Lowering lowering = Lowered(program);
   ASSERT_EQ(lowering.diagnostics.size(), 1u);
   EXPECT_EQ(lowering.diagnostics[0].message.en,
@@ -137,6 +138,78 @@ TEST(Recursion, IsRefusedWithoutADepth) {
             "'sum' 直接或间接调用自身（sum -> sum）；请在其上方写 '//@ depth: N'，N "
             "为同时进行的调用的最大"
             "数目，或改用循环");
+}
+
+// --- Without a comment ---------------------------------------------------------------------------
+
+// How many calls wait at the same time, at most; -1: that is not known, so that a comment is
+// missing.
+int WaitingIn(const std::string& functions, const std::string& start) {
+  const Lowering lowering = Lowered("int v, w;\nenum { FIVE = 5 };\n" + functions +
+                                    "\nvoid t0() { v = " + start + "; }\n");
+  if (!lowering.object) {
+    EXPECT_EQ(lowering.diagnostics.at(0).info->slug, "recursion");
+    return -1;
+  }
+  return lowering.costs.at(0).frames.at(0).count;
+}
+
+TEST(Recursion, NeedsNoCommentWhereArgumentsCountDown) {
+  EXPECT_EQ(WaitingIn("int f(int n) { return n <= 1 ? 1 : n * f(n - 1); }", "f(7)"), 6);
+  EXPECT_EQ(WaitingIn("int f(int n) { return n <= 1 ? 1 : n * f(n - 1); }", "f(3) + f(FIVE)"), 4);
+  EXPECT_EQ(WaitingIn("int f(int n) { if (n < 2) return n; return f(n - 1) + f(n - 2); }", "f(10)"),
+            9);
+  EXPECT_EQ(WaitingIn("int f(int n, int a, int b) { if (n == 0) return 0;\n"
+                      "return f(n - 1, a, 6 - a - b) + 1 + f(n - 1, 6 - a - b, b); }",
+                      "f(4, 1, 3)"),
+            4);
+  EXPECT_EQ(WaitingIn("int f(int n) { int s = 0; while (n > 3 && !w) { w = s; s += f(n / 2); }\n"
+                      "return s; }",
+                      "f(40)"),
+            4);  // 40, 20, 10, 5, 2
+  EXPECT_EQ(
+      WaitingIn("int f(int n) { if (n) { return 1 + f(n - FIVE); } else { return w; } }", "f(15)"),
+      3);
+  EXPECT_EQ(WaitingIn("int odd(int n);\nint even(int n) { return n ? !odd(n - 1) : 1; }\n"
+                      "int odd(int n) { return n ? !even(n - 1) : 1; }",
+                      "even(4)"),
+            4);
+}
+
+// The way to a call can lead through others, also through those of another group.
+TEST(Recursion, NeedsNoCommentBehindOtherCalls) {
+  const std::string factorial = "int f(int n) { return n <= 1 ? 1 : n * f(n - 1); }\n";
+  EXPECT_EQ(WaitingIn(factorial + "int g(int n, int m) { return f(n + m); }", "g(1, 2) + g(2, 3)"),
+            4);
+  EXPECT_EQ(
+      WaitingIn(factorial + "int g(int n) { return n > 3 ? f(n) : f(n) + g(n + 1); }", "g(1)"), 3);
+  EXPECT_EQ(WaitingIn(factorial + "static int unused() { return f(w); }", "f(3)"), 2);
+  EXPECT_EQ(WaitingIn(factorial + "int g(int n) { return f(n); }", "g(w)"), -1);
+}
+
+TEST(Recursion, NeedsACommentWhereItsDepthIsNotSeen) {
+  const std::string factorial = "int f(int n) { return n <= 1 ? 1 : n * f(n - 1); }";
+  EXPECT_EQ(WaitingIn(factorial, "f(w)"), -1);
+  EXPECT_EQ(WaitingIn(factorial, "f(2) + f(w)"), -1);
+  // Too many calls.
+  EXPECT_EQ(WaitingIn(factorial, "f(2000)"), -1);
+  EXPECT_EQ(WaitingIn("int f(int n) { if (n == 0) return 0; return 1 + f(n - 2); }", "f(5)"), -1);
+  // No call is the last one.
+  EXPECT_EQ(WaitingIn("int f(int n) { return 1 + f(n - 1); }", "f(5)"), -1);
+  EXPECT_EQ(WaitingIn("int f(int n) { if (w == 0) return 0; return 1 + f(n); }", "f(5)"), -1);
+  EXPECT_EQ(WaitingIn("int f(int m, int n) { if (m == 0) return n + 1;\n"
+                      "if (n == 0) return 2 * f(m - 1, 1); return f(m - 1, f(m, n - 1)); }",
+                      "f(2, 3)"),
+            -1);
+  // A parameter that changes, or is hidden by another variable.
+  EXPECT_EQ(WaitingIn("int f(int n) { n--; if (n < 0) return 0; return 1 + f(n); }", "f(5)"), -1);
+  EXPECT_EQ(WaitingIn("int f(int n) { if (n == 0) return 0; { int n = w; return 1 + f(n - 1); } }",
+                      "f(5)"),
+            -1);
+  // A jump to where no way seems to lead.
+  EXPECT_EQ(
+      WaitingIn("int f(int n) { if (n > 0) goto L; return 0; L: return 1 + f(n - 1); }", "f(5)"),
+      -1);
 }
 
 // The text is for the card, whose tools know no depth.
@@ -170,7 +243,7 @@ TEST(Recursion, IsNoLoopBeforeAnAssert) {
       "  //@ assert: n < 9\n"
       "  return;\n"
       "}\n"
-      "void t0() { up(0); }\n");
+      "void t0() { up(v); }\n");
   ASSERT_EQ(lowering.diagnostics.size(), 1u);
   EXPECT_EQ(lowering.diagnostics[0].info->slug, "recursion");
 }
@@ -183,7 +256,7 @@ TEST(Recursion, IsNoLoopIfAReferenceChanges) {
       "  *a += n;\n"
       "  if (n > 0) to(n - 1, b, a);\n"
       "}\n"
-      "void t0() { to(3, &v, &w); }\n");
+      "void t0() { to(v, &v, &w); }\n");
   ASSERT_EQ(lowering.diagnostics.size(), 1u);
   EXPECT_EQ(lowering.diagnostics[0].info->slug, "recursion");
 }

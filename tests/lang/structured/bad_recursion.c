@@ -10,5 +10,5 @@ void t1(int n) { // expect error MP236
   v++;
 }
 void t0() {
-  v = even(3) + self(2);
+  v = even(w) + self(w);
 }
