@@ -97,10 +97,12 @@ interface AxeResult {
   violations: { id: string; help: string; nodes: { html: string; failureSummary?: string }[] }[];
 }
 
-/** Fails with what axe finds: WCAG 2.1 A and AA, contrast among them. */
+/** Fails with what axe finds: WCAG 2.1 A and AA, contrast among them, once no color changes. */
 export async function expectAccessible(page: Page): Promise<void> {
   await page.evaluate(axe);
   const { violations } = await page.evaluate(async () => {
+    const changes = document.getAnimations().filter((each) => each instanceof CSSTransition);
+    await Promise.allSettled(changes.map((each) => each.finished));
     const { axe: checker } = globalThis as unknown as {
       axe: { run: (options: unknown) => Promise<AxeResult> };
     };
