@@ -159,29 +159,30 @@ void Lowerer::KeepOffsets(Scope& scope, SourceRange range) {
   }
 }
 
-// Gives the parameters their values. All arguments are computed before the first is assigned.
-bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope) {
-  const Function& syntax = *info.syntax;
+// The parameters that a call gives values to; empty if it has another number of arguments.
+std::optional<std::vector<const ParameterDeclaration*>> Lowerer::ParametersOf(
+    const Expression& call, const Function& syntax) {
   std::vector<const ParameterDeclaration*> parameters;
   for (const ParameterDeclaration& parameter : syntax.parameters) {
     const bool nothing = parameter.declarator.name.empty() && HasWord(parameter.specifiers, "void");
     if (!nothing) parameters.push_back(&parameter);
   }
-  if (parameters.size() != call.operands.size() - 1) {
-    Diagnostic* diagnostic = Report(Code::kArgumentCount, call.range, syntax.name,
-                                    static_cast<int64_t>(parameters.size()),
-                                    static_cast<int64_t>(call.operands.size()) - 1);
-    if (diagnostic != nullptr) {
-      AddNote(*diagnostic, syntax.name_range, MakeMessage("it is defined here", "其定义在此"));
-    }
-    return false;
+  if (parameters.size() == call.operands.size() - 1) return parameters;
+  Diagnostic* diagnostic =
+      Report(Code::kArgumentCount, call.range, syntax.name, static_cast<int64_t>(parameters.size()),
+             static_cast<int64_t>(call.operands.size()) - 1);
+  if (diagnostic != nullptr) {
+    AddNote(*diagnostic, syntax.name_range, MakeMessage("it is defined here", "其定义在此"));
   }
-  struct Argument {
-    Place place;
-    Value value;
-    SourceRange range;
-    std::optional<ArrayPlace> structure;  // that of a parameter that is one
-  };
+  return std::nullopt;
+}
+
+// Gives the parameters their values. All arguments are computed before the first is assigned.
+bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope) {
+  const Function& syntax = *info.syntax;
+  const auto known = ParametersOf(call, syntax);
+  if (!known) return false;
+  const std::vector<const ParameterDeclaration*>& parameters = *known;
   std::vector<Argument> copies;
   bool good = true;
   for (size_t i = 0; i < parameters.size(); ++i) {
@@ -250,15 +251,20 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     }
     BeginFrame(info, call.range);
   }
-  for (const Argument& copy : copies) {
-    if (copy.structure) {
-      CopyStructure(StructureAt(copy.place.operand.variable, copy.place.type), *copy.structure,
-                    copy.range);
+  Assign(copies);
+  return good;
+}
+
+void Lowerer::Assign(const std::vector<Argument>& arguments) {
+  for (const Argument& argument : arguments) {
+    const Place& place = argument.place;
+    if (argument.structure) {
+      CopyStructure(StructureAt(place.operand.variable, place.type), *argument.structure,
+                    argument.range);
     } else {
-      Store(copy.place, copy.value, copy.range, false);
+      Store(place, argument.value, argument.range, false);
     }
   }
-  return good;
 }
 
 // A value in a temporary, which nothing else changes.

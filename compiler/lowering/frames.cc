@@ -86,30 +86,32 @@ void Lowerer::BeginFrame(const FunctionInfo& info, SourceRange range) {
   call.group = info.group;
   call.body = frame_->body;
   call.save = out_->code.size();
-  Operand back = VariableOperand(frames.back);
-  back.kind = Operand::Kind::kElement;
-  back.index = frames.depth.variable;
-  EmitCopy(back, bodies_[static_cast<size_t>(call.body) - 1].number, range);
-  Instruction step;
-  step.kind = Instruction::Kind::kBinary;
-  step.target = step.a = frames.depth;
-  step.b = IntOperand(1);
-  Emit(std::move(step), range);
+  EmitCopy(BackOf(frames), bodies_[static_cast<size_t>(call.body) - 1].number, range);
+  ChangeDepth(frames, vm::BinaryOperator::kAdd, range);
 }
 
 void Lowerer::EndFrame(RecursiveCall& call, SourceRange range) {
   const Frames& frames = frames_.at(call.group);
   call.restore = out_->code.size();
-  Instruction step;
-  step.kind = Instruction::Kind::kBinary;
-  step.binary = vm::BinaryOperator::kSubtract;
-  step.target = step.a = frames.depth;
-  step.b = IntOperand(1);
-  Emit(std::move(step), range);
+  ChangeDepth(frames, vm::BinaryOperator::kSubtract, range);
+  EmitCopy(bodies_[static_cast<size_t>(call.body) - 1].number, BackOf(frames), range);
+}
+
+// The way back of the call that waits at the present depth.
+Operand Lowerer::BackOf(const Frames& frames) const {
   Operand back = VariableOperand(frames.back);
   back.kind = Operand::Kind::kElement;
   back.index = frames.depth.variable;
-  EmitCopy(bodies_[static_cast<size_t>(call.body) - 1].number, back, range);
+  return back;
+}
+
+void Lowerer::ChangeDepth(const Frames& frames, vm::BinaryOperator by_one, SourceRange range) {
+  Instruction step;
+  step.kind = Instruction::Kind::kBinary;
+  step.binary = by_one;
+  step.target = step.a = frames.depth;
+  step.b = IntOperand(1);
+  Emit(std::move(step), range);
 }
 
 // The statements before each statement, on the ways that one call of a function takes. They lead

@@ -212,6 +212,13 @@ class Lowerer {
     Operand result;
     std::vector<int> back;  // where the calls go on, by number
   };
+  // What a call gives a parameter.
+  struct Argument {
+    Place place;
+    Value value;
+    SourceRange range;
+    std::optional<ArrayPlace> structure;  // that of a parameter that is one
+  };
   // Where the statements of a called function leave their result and lead.
   struct BodyEnd {
     int body = 0;
@@ -455,7 +462,10 @@ class Lowerer {
                                       const Expression& argument, const FunctionInfo& info);
   static bool IsMoved(std::string_view name, const Function& function);
   void KeepOffsets(Scope& scope, SourceRange range);
+  std::optional<std::vector<const ParameterDeclaration*>> ParametersOf(const Expression& call,
+                                                                       const Function& syntax);
   bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
+  void Assign(const std::vector<Argument>& arguments);
   Value LowerMagnitude(const Expression& call, bool real);
 
   // --- shared_bodies.cc ---
@@ -500,6 +510,8 @@ class Lowerer {
   Frames& FramesOf(const FunctionInfo& info, SourceRange range);
   void BeginFrame(const FunctionInfo& info, SourceRange range);
   void EndFrame(RecursiveCall& call, SourceRange range);
+  Operand BackOf(const Frames& frames) const;
+  void ChangeDepth(const Frames& frames, vm::BinaryOperator by_one, SourceRange range);
   void OwnByFrames(int variable, const Type& type, int group);
   void EmitFrames();
   std::vector<std::vector<size_t>> WaysTo() const;

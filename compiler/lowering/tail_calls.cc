@@ -130,22 +130,9 @@ void Lowerer::BeginBody() {
 void Lowerer::LowerTailCall(const Expression& call) {
   const FunctionInfo& info = *frame_->info;
   const Function& syntax = *info.syntax;
-  struct Argument {
-    Place place;
-    Value value;
-    std::optional<ArrayPlace> structure;
-    SourceRange range;
-  };
-  std::vector<const ParameterDeclaration*> parameters;
-  for (const ParameterDeclaration& parameter : syntax.parameters) {
-    const bool nothing = parameter.declarator.name.empty() && HasWord(parameter.specifiers, "void");
-    if (!nothing) parameters.push_back(&parameter);
-  }
-  if (parameters.size() != call.operands.size() - 1) {
-    Report(Code::kArgumentCount, call.range, syntax.name, static_cast<int64_t>(parameters.size()),
-           static_cast<int64_t>(call.operands.size()) - 1);
-    return;
-  }
+  const auto known = ParametersOf(call, syntax);
+  if (!known) return;
+  const std::vector<const ParameterDeclaration*>& parameters = *known;
   std::vector<Argument> copies;
   for (size_t i = 0; i < parameters.size(); ++i) {
     const Expression& argument = *call.operands[i + 1];
@@ -168,7 +155,7 @@ void Lowerer::LowerTailCall(const Expression& call) {
       if (array->offset == symbol.offset) continue;
       Value offset;
       offset.operand = LoadedOnce(array->offset, argument.range);
-      copies.push_back({{symbol.offset, Type{}}, offset, {}, argument.range});
+      copies.push_back({{symbol.offset, Type{}}, offset, argument.range, {}});
     } else if (symbol.type.own != nullptr) {
       const std::optional<ArrayPlace> structure = LowerStructure(argument);
       if (!structure) return;
@@ -179,25 +166,18 @@ void Lowerer::LowerTailCall(const Expression& call) {
       }
       copies.push_back({{VariableOperand(symbol.variable), symbol.type},
                         {},
-                        CopyOf(*structure, argument.range),
-                        argument.range});
+                        argument.range,
+                        CopyOf(*structure, argument.range)});
     } else {
       Value value = LowerValue(argument);
       if (!RequireNumber(value, argument)) return;
       value = Convert(value, symbol.type.basic, argument.range);
       value.operand = LoadedOnce(value.operand, argument.range);
       copies.push_back(
-          {{VariableOperand(symbol.variable), symbol.type}, value, {}, argument.range});
+          {{VariableOperand(symbol.variable), symbol.type}, value, argument.range, {}});
     }
   }
-  for (const Argument& copy : copies) {
-    if (copy.structure) {
-      CopyStructure(StructureAt(copy.place.operand.variable, copy.place.type), *copy.structure,
-                    copy.range);
-    } else {
-      EmitCopy(copy.place.operand, copy.value.operand, copy.range);
-    }
-  }
+  Assign(copies);
   EmitGoto(frame_->begin_label, call.range);
 }
 
