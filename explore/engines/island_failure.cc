@@ -3,6 +3,8 @@
 #include <bit>
 #include <utility>
 
+#include "explore/engines/progress.h"
+
 namespace oncard::explore {
 namespace {
 
@@ -11,10 +13,12 @@ constexpr size_t kStepsMax = 1'000'000;
 
 class Replay {
  public:
-  Replay(CardModel* whole, uint32_t threads)
-      : whole_(*whole), threads_(threads), state_(whole->Start()) {}
+  Replay(CardModel* whole, uint32_t threads, const std::atomic<bool>* stop)
+      : whole_(*whole), threads_(threads), stop_(stop), state_(whole->Start()) {}
 
-  bool over() const { return state_.fault || state_.ended || steps_.size() >= kStepsMax; }
+  bool over() const {
+    return state_.fault || state_.ended || steps_.size() >= kStepsMax || IsTold(stop_);
+  }
   bool failed() const { return static_cast<bool>(state_.fault); }
   std::vector<uint8_t> TakeSteps() { return std::move(steps_); }
 
@@ -57,6 +61,7 @@ class Replay {
 
   CardModel& whole_;
   uint32_t threads_;
+  const std::atomic<bool>* stop_;
   CardModel::State state_;
   std::vector<uint8_t> steps_;
 };
@@ -64,12 +69,12 @@ class Replay {
 }  // namespace
 
 std::vector<uint8_t> FailInWhole(CardModel* whole, CardModel* island, uint32_t threads,
-                                 const std::vector<uint8_t>& way) {
+                                 const std::vector<uint8_t>& way, const std::atomic<bool>* stop) {
   std::vector<int> members;
   for (uint32_t left = threads; left != 0; left &= left - 1) {
     members.push_back(std::countr_zero(left));
   }
-  Replay replay(whole, threads);
+  Replay replay(whole, threads, stop);
   CardModel::State inside = island->Start();
   for (const uint8_t choice : way) {
     if (choice == kOthersEndCycle) {

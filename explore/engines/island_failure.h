@@ -3,6 +3,7 @@
 // needs. Deterministic; not thread-safe. Tested by tests/explore/island_search_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -15,8 +16,9 @@ inline constexpr uint8_t kOthersEndCycle = 0xff;
 
 /// The threads of a schedule of the whole program that fails, numbered by it: that of the way
 /// through the island, whose threads are the bits of `threads`. Empty if the others cannot cause
-/// this timing, or not as they were tried: each cycle the one with the lowest number first.
+/// this timing, or not as they were tried: each cycle the one with the lowest number first. `stop`
+/// as for StateLimits.
 std::vector<uint8_t> FailInWhole(CardModel* whole, CardModel* island, uint32_t threads,
-                                 const std::vector<uint8_t>& way);
+                                 const std::vector<uint8_t>& way, const std::atomic<bool>* stop);
 
 }  // namespace oncard::explore

@@ -236,7 +236,7 @@ IslandResult Prove(CardModel* whole, Islands islands, const StateLimits& limits,
     const std::vector<uint8_t> way = search.FailingWay();
     IslandResult result;
     if (!way.empty()) {
-      result.failing = FailInWhole(whole, &search.card()->model, island.threads, way);
+      result.failing = FailInWhole(whole, &search.card()->model, island.threads, way, limits.stop);
     }
     return result;
   };
