@@ -33,10 +33,7 @@ std::vector<AssertComment> FindAsserts(const std::deque<SourceFile>& files) {
   for (size_t number = 0; number < files.size(); ++number) {
     const std::string_view text = files[number].text();
     ForEachAssertComment(text, [&](std::string_view line, std::string_view condition) {
-      const auto begin = static_cast<uint32_t>(line.data() - text.data());
-      comments.push_back(
-          {{static_cast<int>(number), begin, begin + static_cast<uint32_t>(line.size())},
-           std::string(condition)});
+      comments.push_back({RangeOf(number, text, line), std::string(condition)});
     });
   }
   return comments;

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "compiler/asserts.h"
 #include "compiler/checker.h"
+#include "compiler/depth_comments.h"
 #include "compiler/dialect.h"
 #include "compiler/directives.h"
 #include "compiler/flow_warnings.h"
@@ -107,6 +108,12 @@ Compilation CompileCardText(const std::string& path, std::string text, const Opt
   // file would report the same again.
   if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
 
+  for (const DepthComment& comment : FindDepths(directives.files())) {
+    reporter.Report(
+        Code::kDepth, comment.range,
+        MakeMessage("only structured C has functions that are called; remove the comment",
+                    "只有结构化 C 才有被调用的函数；请删除此注释"));
+  }
   if (!reporter.HasErrors()) {
     PlaceAsserts(directives.files(), checker.places(), &object, reporter);
   }

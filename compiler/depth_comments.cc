@@ -23,12 +23,7 @@ std::vector<DepthComment> FindDepths(const std::deque<SourceFile>& files) {
     const std::string_view text = files[number].text();
     ForEachCommentLine(text, [&](int /*line*/, std::string_view line) {
       const std::optional<std::string_view> depth = DepthOf(line);
-      if (!depth) return;
-      const std::string_view comment = Trim(line);
-      const auto begin = static_cast<uint32_t>(comment.data() - text.data());
-      comments.push_back(
-          {{static_cast<int>(number), begin, begin + static_cast<uint32_t>(comment.size())},
-           ReadDepth(*depth)});
+      if (depth) comments.push_back({RangeOf(number, text, Trim(line)), ReadDepth(*depth)});
     });
   }
   return comments;

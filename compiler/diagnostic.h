@@ -46,6 +46,12 @@ struct SourceRange {
   bool operator==(const SourceRange&) const = default;
 };
 
+/// Where a part of the text of a file stands.
+inline SourceRange RangeOf(size_t file, std::string_view text, std::string_view part) {
+  const auto begin = static_cast<uint32_t>(part.data() - text.data());
+  return {static_cast<int>(file), begin, begin + static_cast<uint32_t>(part.size())};
+}
+
 enum class Severity : uint8_t { kError, kWarning };
 
 /// An edit: replaces the range by the text. Applying all fix-its of a diagnostic (they do not
