@@ -262,6 +262,12 @@ void Lowerer::LowerEffect(const Expression& expression) {
     default:
       break;
   }
+  // `s, x`: a structure whose value nobody wants.
+  const std::optional<Shape> shape = ShapeOf(expression);
+  if (shape && !shape->invalid && shape->type.own != nullptr && shape->dimensions.empty()) {
+    LowerStructure(expression);
+    return;
+  }
   LowerValue(expression);
 }
 

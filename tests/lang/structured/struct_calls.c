@@ -10,7 +10,7 @@ struct axis {
   double speed;
 } axis[3] = {{{1, 2}, {3, 4, 5}, 0.5}, {{6, 7}, {8, 9, 10}, 1.5}, {{11, 12}}};
 struct point p = {1, 2}, q = {30, 40}, made, chosen, twice;
-int dot, copied, sum, member, moved, aliased, first, kept, walked, nested, between, row, sizes, fields, i, whole;
+int dot, copied, sum, member, moved, aliased, first, kept, walked, nested, between, row, sizes, fields, i, whole, unwanted;
 static struct point add(struct point a, struct point b) {
   a.x += b.x;
   a.y += b.y;
@@ -84,7 +84,10 @@ void t0(void) {
   sizes = size(axis);
   add(p, q);
   whole = axis[2].at.x * 100 + axis[2].at.y;
+  i = 0;
+  p;
+  unwanted = (q, axis[i++], axis[i++].at, add(p, q), i);
 }
 // expect: made_x=32, made_y=44, twice_x=4, twice_y=8, dot=193, copied=50, sum=1331, moved=910
 // expect: member=205, aliased=2301, first=7014, kept=900, walked=4714, nested=7512, chosen_x=2
-// expect: chosen_y=90, between=100, row=75, sizes=6244, whole=1415, p_x=30, q_y=2, axis_at_y[0]=5
+// expect: unwanted=2, chosen_y=90, between=100, row=75, sizes=6244, whole=1415, p_x=30, q_y=2, axis_at_y[0]=5
