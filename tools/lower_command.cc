@@ -44,6 +44,15 @@ std::string CostTable(const compiler::Lowering& lowering, const Invocation& invo
                               frames.count, frames.name, frames.count * frames.slots)));
     }
   }
+  for (const compiler::FunctionCost& cost : lowering.costs) {
+    for (const compiler::SharedSlotsCost& shared : cost.shared_slots) {
+      text += fmt::format(
+          "{}\n", invocation.Say(MakeMessage(
+                      "{0}: the slots of {1} are those of {2}, too; their lives do not overlap",
+                      "{0}：{1} 的存储单元也由 {2} 使用；它们的生命期不重叠", cost.name,
+                      shared.name, fmt::to_string(fmt::join(shared.others, ", ")))));
+    }
+  }
   return text +
          fmt::format("{}\n", invocation.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
                                                         lowering.global_slots)));

@@ -37,6 +37,7 @@ const Expression& WithoutParens(const Expression& expression) {
 Instruction& Lowerer::Emit(Instruction instruction, SourceRange range) {
   instruction.range = range;
   instruction.statement = statement_;
+  instruction.instance = instance_;
   // The passes may still shorten the function, but not by this much.
   if (out_->code.size() > size_t{2} * vm::kInstructionMax) stopped_ = true;
   out_->code.push_back(std::move(instruction));
@@ -112,6 +113,22 @@ bool Lowerer::EndsInJump() const {
 void Lowerer::BeginFullExpression(SourceRange range) {
   statement_ = static_cast<int>(program_.statements.size());
   program_.statements.push_back(range);
+}
+
+// Begins a block with names of its own, and an instance of it.
+void Lowerer::OpenBlock(const void* block, Scope names) {
+  scopes_.push_back(std::move(names));
+  BlockInstance instance;
+  instance.parent = instance_;
+  instance.body = frame_->body;
+  instance.block = blocks_.try_emplace(block, static_cast<int>(blocks_.size()) + 1).first->second;
+  instance_ = static_cast<int>(out_->instances.size());
+  out_->instances.push_back(instance);
+}
+
+void Lowerer::CloseBlock() {
+  scopes_.pop_back();
+  instance_ = out_->instances[static_cast<size_t>(instance_)].parent;
 }
 
 bool Lowerer::IsShared(const Operand& operand) const {

@@ -339,11 +339,11 @@ void Lowerer::LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scop
   Frame* const outer = frame_;
   const int statement = statement_;
   frame_ = &frame;
-  scopes_.push_back(std::move(scope));
+  OpenBlock(info.syntax, std::move(scope));
   DefineLabels(frame);
   BeginBody();
   LowerBody(info.syntax->body);
-  scopes_.pop_back();
+  CloseBlock();
   frame_ = outer;
   statement_ = statement;
   EmitLabel(frame.return_label, call.range);

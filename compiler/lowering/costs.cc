@@ -12,11 +12,6 @@ namespace {
 
 constexpr size_t kNamedMax = 3;
 
-int SlotsOf(const Variable& variable) {
-  if (variable.structure != nullptr) return static_cast<int>(variable.structure->members.size());
-  return std::max(variable.size, 1);
-}
-
 // The variables of a page, in the order of their numbers.
 std::set<int> PageOf(const Program& program, const LoweredFunction& function) {
   std::set<int> page(function.parameters.begin(), function.parameters.end());
@@ -66,6 +61,11 @@ Message FittingDepth(const FramesCost& frames, int page_slots) {
 
 }  // namespace
 
+int SlotsOf(const Variable& variable) {
+  if (variable.structure != nullptr) return static_cast<int>(variable.structure->members.size());
+  return std::max(variable.size, 1);
+}
+
 FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
   FunctionCost cost;
   cost.name = function.name;
@@ -85,6 +85,13 @@ FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
           return instruction.target.variable == shared.number && instruction.a.IsConstant();
         });
     if (calls > 0) cost.jumps.push_back({shared.name, static_cast<int>(calls)});
+  }
+  for (const SharedSlots& shared : function.shared_slots) {
+    SharedSlotsCost& one = cost.shared_slots.emplace_back();
+    one.name = program.variables[static_cast<size_t>(shared.owner)].name;
+    for (const int other : shared.others) {
+      one.others.push_back(program.variables[static_cast<size_t>(other)].name);
+    }
   }
   for (const KeptFrames& frames : function.frames) {
     if (page.contains(frames.array)) {

@@ -9,6 +9,9 @@
 
 namespace oncard::compiler::lowering {
 
+/// What a variable takes of a page, or of the globals.
+int SlotsOf(const Variable& variable);
+
 /// Of a function whose temporaries have been shared.
 FunctionCost CostOf(const Program& program, const LoweredFunction& function);
 

@@ -507,6 +507,12 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
   }
   symbol.variable = VariableOf(&declarator, Variable::Role::kLocal, declarator.name, type,
                                symbol.dimensions, declarator.name_range);
+  if (instance_ >= 0) {
+    const int block = out_->instances[static_cast<size_t>(instance_)].block;
+    const auto first = program_.variables.begin() + symbol.variable;
+    std::for_each(first, first + LeavesOf(type),
+                  [block](Variable& variable) { variable.block = block; });
+  }
   // In C the scope of a name begins before its initial value.
   Define(declarator.name, symbol);
   if (declarator.initialiser != nullptr) InitialiseLocal(declarator, symbol);

@@ -84,7 +84,8 @@ class FragmentLowerer : public Lowerer {
 
 FragmentLowerer::FragmentLowerer(const FragmentContext& context, const MacroUses& no_macros,
                                  Reporter& reporter)
-    : Lowerer(context.options, context.files, no_macros, reporter, false), context_(context) {
+    : Lowerer(context.options, context.files, no_macros, reporter, {.optimize = false}),
+      context_(context) {
   info_.syntax = &context.function;
   info_.type.basic = context.return_type == vm::DataType::kDouble ? BasicType::kDouble
                      : context.return_type == vm::DataType::kVoid ? BasicType::kVoid

@@ -305,6 +305,7 @@ void Lowerer::EmitFrames() {
     behind[call.save] = {&call, true};
     behind[call.restore + 1] = {&call, false};
   }
+  const int function = std::exchange(instance_, -1);
   std::vector<Instruction> code = std::exchange(out_->code, {});
   for (size_t i = 0; i < code.size(); ++i) {
     statement_ = code[i].statement;
@@ -315,6 +316,7 @@ void Lowerer::EmitFrames() {
     CopyKept(*found->second.first, found->second.second);
   }
   frame_->body = 0;
+  instance_ = function;
 }
 
 }  // namespace oncard::compiler::lowering

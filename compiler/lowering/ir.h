@@ -29,6 +29,8 @@ struct Variable {
   int body = 0;
   /// Of a local: the recursive functions of which each call has its own; 0: none.
   int group = 0;
+  /// Of an array or a structure: the block that declares it (BlockInstance::block), 0 for none.
+  int block = 0;
   /// An array whose bounds are checked when it is written: that is never left out.
   bool checks = false;
   SourceRange range;  ///< where it is declared
@@ -82,6 +84,7 @@ struct Instruction {
   std::vector<Operand> arguments;
   SourceRange range;  ///< the expression or statement of C that it computes
   int statement = 0;  ///< the full expression of C that it belongs to, for atomicity
+  int instance = -1;  ///< in LoweredFunction::instances; -1: not known
 
   bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
   bool IsStatement() const { return kind != Kind::kLabel && kind != Kind::kAssert; }
@@ -109,6 +112,21 @@ struct KeptFrames {
   int slots = 0;     ///< of each
 };
 
+/// A block of C at one place of a thread function: a function that is inlined twice has two
+/// instances of each of its blocks. The arrays of a block are used in its instances only, and have
+/// no values where one begins.
+struct BlockInstance {
+  int parent = -1;  ///< -1: of a thread function, or of a shared body
+  int block = 0;    ///< the same number for all instances of a block, from 1; 0: none
+  int body = 0;     ///< the shared body that it belongs to; 0: none
+};
+
+/// Variables that share the slots of another one (passes/slots.cc).
+struct SharedSlots {
+  int owner = -1;
+  std::vector<int> others;
+};
+
 /// A thread function.
 struct LoweredFunction {
   std::string name;
@@ -118,6 +136,8 @@ struct LoweredFunction {
   std::vector<std::string> labels;  ///< names, by number
   std::vector<SharedCalls> calls;   ///< those that are jumps; all others are inlined
   std::vector<KeptFrames> frames;
+  std::vector<BlockInstance> instances;  ///< parents come first
+  std::vector<SharedSlots> shared_slots;
   SourceRange header;
   SourceRange end;  ///< the closing brace
 };

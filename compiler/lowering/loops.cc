@@ -39,7 +39,7 @@ void Lowerer::LowerFor(const Statement& statement) {
   const int next = NewLabel("for", statement.keyword, "next");
   const int end = NewLabel("for", statement.keyword, "end");
   // The scope of what the head declares.
-  scopes_.emplace_back();
+  OpenBlock(&statement);
   if (statement.initial != nullptr) LowerStatement(*statement.initial);
   SourceRange head = statement.keyword;
   if (statement.value != nullptr) head = statement.value->range;
@@ -59,7 +59,7 @@ void Lowerer::LowerFor(const Statement& statement) {
   }
   EmitGoto(begin, last);
   EmitLabel(end, statement.range);
-  scopes_.pop_back();
+  CloseBlock();
 }
 
 }  // namespace oncard::compiler::lowering

@@ -34,6 +34,7 @@
 #include "compiler/constant_folding.h"
 #include "compiler/depth_comments.h"
 #include "compiler/lowering/ir.h"
+#include "compiler/lowering/lowering.h"
 #include "compiler/lowering/types.h"
 #include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
@@ -101,15 +102,15 @@ class NameMaker {
 
 class Lowerer {
  public:
-  /// The files, the tree and the uses of macros must outlive the lowerer. With `share_bodies`,
-  /// calls are jumps where that makes a thread function shorter; otherwise all are inlined.
+  /// The files, the tree and the uses of macros must outlive the lowerer. When optimising, calls
+  /// are jumps where that makes a thread function shorter; otherwise all are inlined.
   Lowerer(const Options& options, const std::deque<SourceFile>& files, const MacroUses& macros,
-          Reporter& reporter, bool share_bodies)
+          Reporter& reporter, const LoweringOptions& lowering_options)
       : options_(options),
         files_(files),
         macros_(macros),
         reporter_(reporter),
-        share_bodies_(share_bodies) {}
+        lowering_options_(lowering_options) {}
 
   virtual ~Lowerer() = default;
   Lowerer(const Lowerer&) = delete;
@@ -210,6 +211,7 @@ class Lowerer {
     int end = -1;
     Operand number;  // of the call
     Operand result;
+    int instance = -1;      // around its statements
     std::vector<int> back;  // where the calls go on, by number
   };
   // What a call gives a parameter.
@@ -541,6 +543,8 @@ class Lowerer {
   int NewLabel(std::string_view wish);
   virtual int NewLabel(std::string_view construct, SourceRange keyword, std::string_view part = {});
   bool EndsInJump() const;
+  void OpenBlock(const void* block, Scope names = {});
+  void CloseBlock();
   void BeginFullExpression(SourceRange range);
   bool IsShared(const Operand& operand) const;
   Operand VariableOperand(int variable) const;
@@ -559,7 +563,7 @@ class Lowerer {
   const std::deque<SourceFile>& files_;
   const MacroUses& macros_;
   Reporter& reporter_;
-  const bool share_bodies_;
+  const LoweringOptions lowering_options_;
   Program program_;
   std::set<std::tuple<int, int, uint32_t>> reported_;
   std::deque<FunctionInfo> functions_;
@@ -594,8 +598,10 @@ class Lowerer {
   std::deque<SharedBody> bodies_;
   std::map<int, Frames> frames_;  // by group
   std::vector<RecursiveCall> recursive_calls_;
+  std::unordered_map<const void*, int> blocks_;  // numbers of those that were translated
   int inlined_ = 0;
   int statement_ = 0;     // the full expression that is being translated
+  int instance_ = -1;     // the block that is being translated; -1: none
   bool stopped_ = false;  // it became too long
 };
 

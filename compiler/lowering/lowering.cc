@@ -131,9 +131,9 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   StructuredSource source(path, std::move(text), options, reader, reporter);
   Lowering result;
   if (!reporter.HasErrors()) {
-    lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
-                                                  reporter, lowering_options.optimize)
-                                    .Lower(source.tree(), source.asserts(), source.depths());
+    lowering::Program program =
+        lowering::Lowerer(options, source.files(), source.macro_uses(), reporter, lowering_options)
+            .Lower(source.tree(), source.asserts(), source.depths());
     result.tried_statements = program.tried_statements;
     if (!reporter.HasErrors()) {
       const auto taken = lowering::SharedNames(program);
@@ -144,7 +144,12 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
         }
         lowering::GiveStatementsToAsserts(function);
         lowering::ShareTemporaries(taken, program, function);
-        result.costs.push_back(lowering::CostOf(program, function));
+        FunctionCost cost = lowering::CostOf(program, function);
+        if (lowering_options.optimize && cost.page_slots > lowering_options.slots) {
+          lowering::ShareSlots(cost.page_slots - lowering_options.slots, program, function);
+          cost = lowering::CostOf(program, function);
+        }
+        result.costs.push_back(std::move(cost));
       }
       result.global_slots = lowering::GlobalSlots(program);
       lowering::CheckLimits(program, result.costs, reporter);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/compiler.h"
+#include "vm/limits.h"
 
 namespace oncard::compiler {
 
@@ -20,6 +21,9 @@ struct LoweringOptions {
   /// Comments on statements of C that read and write a global in different statements of the card,
   /// and on calls that are jumps.
   bool annotate = false;
+  /// When optimising, so many slots may a thread function take before its locals share them.
+  /// Tests take fewer than the card has.
+  int slots = vm::kSlotCount;
 };
 
 /// A function whose statements stand once in a thread function, for several calls.
@@ -35,6 +39,12 @@ struct FramesCost {
   int slots = 0;     ///< of each
 };
 
+/// Variables that have the slots of another one, because their lives do not overlap.
+struct SharedSlotsCost {
+  std::string name;
+  std::vector<std::string> others;
+};
+
 /// What a thread function takes on the card.
 struct FunctionCost {
   std::string name;
@@ -44,6 +54,7 @@ struct FunctionCost {
   int page_slots = 0;            ///< parameters, locals and temporaries
   std::vector<JumpCalls> jumps;  ///< calls that are jumps; all others are inlined
   std::vector<FramesCost> frames;
+  std::vector<SharedSlotsCost> shared_slots;
 };
 
 struct Lowering {

@@ -95,7 +95,20 @@ class Printer {
       }
     }
     flush();
+    PrintSharedSlots(function);
     if (!used.empty()) Line("", Nowhere());
+  }
+
+  void PrintSharedSlots(const LoweredFunction& function) {
+    for (const SharedSlots& shared : function.shared_slots) {
+      std::string others;
+      for (const int other : shared.others) {
+        others += (others.empty() ? "" : ", ") + VariableAt(other).name;
+      }
+      Line(fmt::format("  // {} is {}, too: their lives do not overlap",
+                       VariableAt(shared.owner).name, others),
+           function.header);
+    }
   }
 
   // The text of C in one line, so that it can be a comment.

@@ -103,7 +103,9 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   bodies_.clear();
   frames_.clear();
   recursive_calls_.clear();
+  blocks_.clear();
   inlined_ = 0;
+  instance_ = -1;
   stopped_ = false;
   function.name = syntax.name;
   function.type = DataTypeOf(info.type.basic);
@@ -122,7 +124,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   frame.info = &info;
   frame.scope_base = scopes_.size();
   frame_ = &frame;
-  scopes_.emplace_back();
+  OpenBlock(&syntax);
   BeginFullExpression(syntax.header);
   for (const ParameterDeclaration& parameter : syntax.parameters) {
     const Type type = ResolveGlobalType(parameter.specifiers);
@@ -149,7 +151,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   LowerBody(syntax.body);
   EmitFrames();
   EmitWaysBack();
-  scopes_.pop_back();
+  CloseBlock();
   frame_ = nullptr;
   out_ = nullptr;
   return function;

@@ -96,10 +96,14 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
     }
     body->begin = NewLabel(fmt::format("lbl_{}", name));
     body->end = NewLabel(name, call.range, "end");
+    body->instance = static_cast<int>(out_->instances.size());
+    out_->instances.push_back({-1, 0, body->id});
     EmitCopy(body->number, IntOperand(0), call.range);
     if (recursive) recursive_calls_[number].jump = out_->code.size() - 1;
     EmitLabel(body->begin, call.range);
+    const int outside = std::exchange(instance_, body->instance);
     LowerBodyOf(call, info, std::move(scope), {body->id, body->end, body->result});
+    instance_ = outside;
   }
   if (recursive) EndFrame(recursive_calls_[number], call.range);
   if (type == BasicType::kVoid) return {Operand(), type, type};
@@ -117,6 +121,7 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
 // After each body the ways back to its calls. The first one goes on where the body ends.
 void Lowerer::EmitWaysBack() {
   CompareBodies();
+  const int function = instance_;
   std::vector<Instruction> code = std::exchange(out_->code, {});
   for (Instruction& instruction : code) {
     const int label = instruction.kind == Instruction::Kind::kLabel ? instruction.label : -1;
@@ -127,12 +132,14 @@ void Lowerer::EmitWaysBack() {
     const SourceRange range = body->function->syntax->close_brace;
     BeginFullExpression(range);
     frame_->body = body->id;
+    instance_ = body->instance;
     for (size_t i = body->back.size(); i-- > 0;) {
       const Value here = Compute(vm::BinaryOperator::kEqual, body->number,
                                  IntOperand(static_cast<int64_t>(i)), BasicType::kInt, range);
       EmitIf(here.operand, body->back[i], range);
     }
     EmitLabel(body->back[0], range);
+    instance_ = function;
     out_->calls.push_back({std::string(body->function->syntax->name), body->number.variable});
   }
   frame_->body = 0;
@@ -170,7 +177,7 @@ Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
 // no longer.
 void Lowerer::ChooseShared(FunctionInfo& info) {
   // The marks of others mean nothing to a function without calls.
-  if (!share_bodies_ || info.calls.empty()) return;
+  if (!lowering_options_.optimize || info.calls.empty()) return;
   for (FunctionInfo& other : functions_) {
     other.shared = false;
     other.copies = 0;

@@ -135,9 +135,9 @@ void Lowerer::LowerStatement(const Statement& statement) {
       LowerDeclaration(statement);
       return;
     case Kind::kBlock:
-      scopes_.emplace_back();
+      OpenBlock(&statement);
       LowerBody(statement.items);
-      scopes_.pop_back();
+      CloseBlock();
       return;
     case Kind::kIf:
       BeginFullExpression(statement.value->range);

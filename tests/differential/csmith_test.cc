@@ -27,8 +27,8 @@ constexpr size_t kProgramsPerBatch = 250;
 constexpr const char* kCompilations[] = {
     "", "-O2", "-fsanitize=undefined -fno-sanitize=shift-base -fno-sanitize-recover=all"};
 
-// With the passes and without them.
-constexpr compiler::LoweringOptions kLowerings[] = {{}, {.optimize = false}};
+// With the passes, with all slots shared that can be, and without the passes.
+constexpr compiler::LoweringOptions kLowerings[] = {{}, {.slots = 0}, {.optimize = false}};
 
 size_t ProgramCount() {
   const char* wanted = std::getenv("ONCARD_CSMITH_PROGRAMS");

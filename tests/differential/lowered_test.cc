@@ -67,12 +67,19 @@ bool HasTooManyLabels(const compiler::Lowering& lowering) {
                      });
 }
 
+// With the passes, with all slots shared that can be, and without the passes.
+constexpr compiler::LoweringOptions kLowerings[] = {
+    {.annotate = true}, {.slots = 0}, {.optimize = false, .annotate = true}};
+
 // Lowers one program, compiles the text and compares what it computes.
-void Check(const StructuredProgram& program, bool optimize, const Values& expected) {
+void Check(const StructuredProgram& program, const compiler::LoweringOptions& options,
+           const Values& expected) {
+  const bool optimize = options.optimize;
   const compiler::Lowering lowering =
-      compiler::LowerText("random.c", program.text, {}, {optimize, true}, compiler::NoFiles());
-  const std::string listing = fmt::format("seed {}, optimize {}\n{}\nlowered\n{}", program.seed,
-                                          optimize, program.text, lowering.text.value_or(""));
+      compiler::LowerText("random.c", program.text, {}, options, compiler::NoFiles());
+  const std::string listing =
+      fmt::format("seed {}, optimize {}, slots {}\n{}\nlowered\n{}", program.seed, optimize,
+                  options.slots, program.text, lowering.text.value_or(""));
   // Some programs fit the card only with calls as jumps.
   if (!optimize && !lowering.text && HasTooManyLabels(lowering)) return;
   ASSERT_TRUE(lowering.text.has_value()) << MessagesOf(lowering.diagnostics) << listing;
@@ -105,8 +112,8 @@ void CheckAll(const std::function<StructuredProgram(uint64_t)>& make, const std:
     }
     ASSERT_EQ(expected.size(), programs.size());
     for (size_t i = 0; i < RandomPart(programs.size()); ++i) {
-      for (const bool optimize : {true, false}) {
-        Check(programs[i], optimize, expected[i]);
+      for (const compiler::LoweringOptions& options : kLowerings) {
+        Check(programs[i], options, expected[i]);
         if (testing::Test::HasFailure()) return;
       }
     }

@@ -91,6 +91,18 @@ TEST(Lower, SaysWhichCallsAreJumps) {
   EXPECT_THAT(inlined.err, Not(HasSubstr("jumps")));
 }
 
+TEST(Lower, SaysWhichVariablesShareSlots) {
+  const ScratchFolder scratch;
+  const std::string source =
+      scratch.Write("p.c",
+                    "int g;\nvoid t0() {\n  { int a[600]; a[g] = 1; g = a[0]; }\n"
+                    "  { int b[600]; b[g] = 2; g = b[1]; }\n}\n");
+  const ProcessResult result = RunOncard({"lower", "--cost", source});
+  EXPECT_THAT(result.err,
+              HasSubstr("t0: the slots of a are those of b, too; their lives do not overlap\n"));
+  EXPECT_THAT(result.out, HasSubstr("  // a is b, too: their lives do not overlap\n"));
+}
+
 TEST(Lower, IsExplained) {
   for (const char* language : {"--lang=en", "--lang=zh"}) {
     const ProcessResult page = RunOncard({language, "explain", "structured"});

@@ -44,6 +44,10 @@ std::unordered_set<std::string_view> SharedNames(const Program& program);
 void ShareTemporaries(const std::unordered_set<std::string_view>& taken, Program& program,
                       LoweredFunction& function);
 
+/// Lets locals whose lives do not overlap share slots, until `surplus` slots are free or no more
+/// can.
+void ShareSlots(int surplus, Program& program, LoweredFunction& function);
+
 /// Gives an assert without a statement of its own before the next label a jump to that label: who
 /// comes from elsewhere does not pass the assert. At the end of a function the printer adds a
 /// statement.
