@@ -52,6 +52,11 @@ std::string CostTable(const compiler::Lowering& lowering, const Invocation& invo
                       "{0}：{1} 的存储单元也由 {2} 使用；它们的生命期不重叠", cost.name,
                       shared.name, fmt::to_string(fmt::join(shared.others, ", ")))));
     }
+    for (const std::string& table : cost.tables) {
+      text += fmt::format(
+          "{}\n", invocation.Say(MakeMessage("{0}: the constants of {1} are in its page",
+                                             "{0}：{1} 的常量位于它的数据页", cost.name, table)));
+    }
   }
   return text +
          fmt::format("{}\n", invocation.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",

@@ -93,6 +93,9 @@ FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
       one.others.push_back(program.variables[static_cast<size_t>(other)].name);
     }
   }
+  for (const int table : function.tables) {
+    cost.tables.push_back(program.variables[static_cast<size_t>(table)].name);
+  }
   for (const KeptFrames& frames : function.frames) {
     if (page.contains(frames.array)) {
       cost.frames.push_back({frames.name, frames.count, frames.slots});

@@ -189,6 +189,7 @@ int Lowerer::NewGlobal(const std::string& name, const Type& type,
         leaf, dimensions, name,
         type.own != nullptr ? NewGlobalName(fmt::format("{}_{}", name, leaf.name)) : name);
     variable.role = Variable::Role::kGlobal;
+    variable.is_table = type.is_const && variable.size > 0;
     variable.range = range;
     program_.globals.push_back(static_cast<int>(program_.variables.size()));
     program_.variables.push_back(std::move(variable));

@@ -31,6 +31,8 @@ struct Variable {
   int group = 0;
   /// Of an array or a structure: the block that declares it (BlockInstance::block), 0 for none.
   int block = 0;
+  /// A global array of constants.
+  bool is_table = false;
   /// An array whose bounds are checked when it is written: that is never left out.
   bool checks = false;
   SourceRange range;  ///< where it is declared
@@ -138,6 +140,7 @@ struct LoweredFunction {
   std::vector<KeptFrames> frames;
   std::vector<BlockInstance> instances;  ///< parents come first
   std::vector<SharedSlots> shared_slots;
+  std::vector<int> tables;  ///< globals of C that are in the page
   SourceRange header;
   SourceRange end;  ///< the closing brace
 };

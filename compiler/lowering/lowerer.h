@@ -5,7 +5,7 @@
 // assignments.cc and places.cc expressions, calls.cc own functions, asserts.cc comments,
 // shared_bodies.cc those whose statements stand once for several calls, recursion.cc which call
 // themselves, frames.cc what these keep, tail_calls.cc calls that become loops, commands.cc GT
-// commands, start.cc initial values of globals.
+// commands, tables.cc constants of a page, start.cc initial values of globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -529,6 +529,10 @@ class Lowerer {
   std::optional<Operand> LowerAddress(const Expression& argument);
   void NameConstant(const Expression& argument, Operand& value);
   bool IsFreeName(std::string_view name) const;
+
+  // --- tables.cc ---
+  void MoveTables();
+  void MoveTable(int table, LoweredFunction& function);
 
   // --- start.cc ---
   void EmitStart(LoweredFunction& function);

@@ -21,8 +21,8 @@ struct LoweringOptions {
   /// Comments on statements of C that read and write a global in different statements of the card,
   /// and on calls that are jumps.
   bool annotate = false;
-  /// When optimising, so many slots may a thread function take before its locals share them.
-  /// Tests take fewer than the card has.
+  /// When optimising, so many slots may a thread function take before its locals share them, and
+  /// the globals before constant tables move to pages. Tests take fewer than the card has.
   int slots = vm::kSlotCount;
 };
 
@@ -55,6 +55,7 @@ struct FunctionCost {
   std::vector<JumpCalls> jumps;  ///< calls that are jumps; all others are inlined
   std::vector<FramesCost> frames;
   std::vector<SharedSlotsCost> shared_slots;
+  std::vector<std::string> tables;  ///< globals of C that are in the page
 };
 
 struct Lowering {

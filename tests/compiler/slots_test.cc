@@ -1,5 +1,6 @@
-// Programs whose variables take more slots than the card has: locals share them. What such
-// programs compute is compared with gcc (tests/differential/lowered_test.cc).
+// Programs whose variables take more slots than the card has: locals share them, and constant
+// tables move to the page of their function. What such programs compute is compared with gcc
+// (tests/differential/lowered_test.cc).
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
@@ -12,6 +13,11 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 constexpr int kNeedsTooMany = 237;
 
@@ -112,6 +118,45 @@ TEST(Slots, NothingSharesWithoutThePasses) {
   ExpectTooMany(
       ThreadFunction("{ int a[600]; " + Uses("a") + " } { int b[600]; " + Uses("b") + " }"),
       {.optimize = false});
+}
+
+std::string Table(const std::string& name, int size) {
+  std::string text = "static const int " + name + "[] = {";
+  for (int i = 0; i < size; ++i) text += fmt::format("{}, ", i * i);
+  return text + "};\n";
+}
+
+TEST(Slots, ATableOfOneFunctionMovesToItsPage) {
+  const Lowering lowering =
+      LowerSlots("int g;\n" + Table("squares", 900) + Table("more", 200) +
+                 "void t0() { g += squares[g & 511]; }\nvoid t1() { g += more[g & 127]; }\n");
+  ASSERT_TRUE(lowering.object.has_value());
+  EXPECT_THAT(lowering.costs[0].tables, ElementsAre("squares"));
+  EXPECT_THAT(lowering.costs[1].tables, IsEmpty());
+  EXPECT_EQ(lowering.costs[0].page_slots, 901);  // and an index
+  EXPECT_EQ(lowering.global_slots, 205);         // and those of the start
+  // It is written when the function starts, after the globals of all have been.
+  EXPECT_THAT(*lowering.text, HasSubstr("lbl_start:\n  // 2: static const int squares"));
+  EXPECT_THAT(*lowering.text, HasSubstr("squares[0] = 0;\n  squares[1] = 1;\n  squares[2] = 4;\n"));
+}
+
+TEST(Slots, ATableOfTwoFunctionsStaysGlobal) {
+  ExpectTooMany("int g;\n" + Table("squares", 900) + Table("more", 200) +
+                "void t0() { g += squares[g & 511] + more[3]; }\n"
+                "void t1() { g += squares[g & 511] + more[g & 127]; }\n");
+}
+
+TEST(Slots, WhatCanBeWrittenStaysGlobal) {
+  ExpectTooMany(
+      "int g, list[900], other[200];\n"
+      "void t0() { list[g] = g; g += list[0]; }\nvoid t1() { other[g] = g; }\n");
+}
+
+TEST(Slots, TablesStayGlobalWhereTheyFit) {
+  const Lowering lowering =
+      LowerSlots("int g;\n" + Table("squares", 900) + "void t0() { g += squares[g & 511]; }\n");
+  EXPECT_THAT(lowering.costs.at(0).tables, IsEmpty());
+  EXPECT_EQ(lowering.global_slots, 905);
 }
 
 }  // namespace

@@ -103,6 +103,15 @@ TEST(Lower, SaysWhichVariablesShareSlots) {
   EXPECT_THAT(result.out, HasSubstr("  // a is b, too: their lives do not overlap\n"));
 }
 
+TEST(Lower, SaysWhichTablesAreInThePage) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c",
+                                           "const int table[1000] = {7};\nint list[100];\n"
+                                           "void t0() { list[0] = table[list[1]]; }\n");
+  const ProcessResult result = RunOncard({"lower", "--cost", source});
+  EXPECT_THAT(result.err, HasSubstr("t0: the constants of table are in its page\n"));
+}
+
 TEST(Lower, IsExplained) {
   for (const char* language : {"--lang=en", "--lang=zh"}) {
     const ProcessResult page = RunOncard({language, "explain", "structured"});
