@@ -491,7 +491,7 @@ std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepRe
   const int64_t faults_before = std::exchange(fault_count_, run.machine().state().faults);
   if (faults_ && fault_count_ != faults_before && step.thread >= 0) {
     return Stop{StopReason::kFault, step.thread, -1,
-                runtime::DescribeFault(run.machine().thread(step.thread))};
+                runtime::DescribeFault(run.machine().thread(step.thread), run.image())};
   }
   if (refusals_ && step.refusal != nullptr) {
     return Stop{StopReason::kRefusal, step.refusal->thread, -1, step.refusal->call};

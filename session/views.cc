@@ -116,12 +116,16 @@ Json ThreadView(const RewindableRun& run, int number, Language language) {
   const std::string program = ProgramPath(run.scenario());
   const int line = run.machine().Line(number);
   const std::string place = runtime::SourcePlace(program, function, thread.pc);
-  Json json = {
-      {"thread", number},      {"function", function.name},
-      {"page", thread.page},   {"state", runtime::ThreadStateName(thread.run)},
-      {"file", function.file}, {"line", line},
-      {"position", thread.pc}, {"statements", thread.executed},
-      {"error", thread.error}, {"status", runtime::DescribeStatus(thread, place).In(language)}};
+  Json json = {{"thread", number},
+               {"function", function.name},
+               {"page", thread.page},
+               {"state", runtime::ThreadStateName(thread.run)},
+               {"file", function.file},
+               {"line", line},
+               {"position", thread.pc},
+               {"statements", thread.executed},
+               {"error", thread.error},
+               {"status", runtime::DescribeStatus(thread, run.image(), place).In(language)}};
   const bool runs = thread.run == vm::ThreadRun::kRunning;
   const bool ready = (run.machine().RunnableThreads() >> number & 1) != 0;
   json["ready"] = ready;
@@ -357,7 +361,7 @@ nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
                  {"to_ms", ToMs(clock.UsOf(span.to_cycle))}};
     if (span.waits) item["waits"] = WaitView(run, span.state, *span.program, span.from_cycle);
     if (span.state.run == vm::ThreadRun::kFaulted) {
-      item["text"] = runtime::DescribeFault(span.state).In(language);
+      item["text"] = runtime::DescribeFault(span.state, *span.program).In(language);
     }
     json.push_back(std::move(item));
   }

@@ -91,6 +91,15 @@ struct Assert {
   bool operator==(const Assert&) const = default;
 };
 
+/// Of structured C: where the calls of a recursive function keep what they need, and how deep they
+/// may be. The files of an object do not have it.
+struct RecursionFrames {
+  std::string function;  ///< the first of those that call each other
+  int depth = 0;         ///< calls at the same time
+  uint16_t array = 0;    ///< first slot of the local array that every call uses
+  bool operator==(const RecursionFrames&) const = default;
+};
+
 struct Function {
   std::string name;
   std::string file;  ///< source file that defines it, as written in the `.ini`
@@ -99,6 +108,7 @@ struct Function {
   std::vector<uint16_t> lines;    ///< source line of each instruction; 0 = unknown
   std::vector<Symbol> variables;  ///< parameters, then locals, in order of declaration
   std::vector<Assert> asserts;    ///< by position
+  std::vector<RecursionFrames> frames = {};
   bool operator==(const Function&) const = default;
 };
 

@@ -298,7 +298,8 @@ void Lowerer::EmitFrames() {
   for (const auto& [group, frames] : frames_) {
     const FunctionInfo& first = *groups_[static_cast<size_t>(group) - 1].members[0];
     out_->frames.push_back({std::string(first.syntax->name), frames.back,
-                            static_cast<int>(frames.rows), static_cast<int>(frames.slots)});
+                            static_cast<int>(frames.rows), static_cast<int>(frames.slots),
+                            groups_[static_cast<size_t>(group) - 1].depth});
   }
   std::map<size_t, std::pair<const RecursiveCall*, bool>> behind;  // statements
   for (const RecursiveCall& call : recursive_calls_) {

@@ -112,6 +112,7 @@ struct KeptFrames {
   int array = -1;    ///< a variable that every call uses
   int count = 0;     ///< of frames
   int slots = 0;     ///< of each
+  int depth = 0;     ///< of the calls
 };
 
 /// A block of C at one place of a thread function: a function that is inlined twice has two

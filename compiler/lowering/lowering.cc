@@ -112,6 +112,17 @@ void NameAsserts(const lowering::Program& program, const lowering::LoweredFuncti
   }
 }
 
+/// Tells a function where its recursive functions keep what they need.
+void WriteFrames(const lowering::Program& program, const lowering::LoweredFunction& lowered,
+                 vm::Function* function) {
+  for (const lowering::KeptFrames& frames : lowered.frames) {
+    const std::string& array = program.variables[static_cast<size_t>(frames.array)].name;
+    const auto symbol = std::ranges::find(function->variables, array, &vm::Symbol::name);
+    if (symbol == function->variables.end()) continue;  // no statement uses them
+    function->frames.push_back({frames.name, frames.depth, symbol->id});
+  }
+}
+
 // The variables that the statements of a function name.
 std::vector<int> VariablesOf(const lowering::LoweredFunction& function) {
   std::vector<int> variables;
@@ -164,6 +175,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
         for (size_t i = 0; i < program.functions.size(); ++i) {
           MoveLines(program.functions[i].header, source.files(), printed.origins,
                     &compilation.object->functions[i]);
+          WriteFrames(program, program.functions[i], &compilation.object->functions[i]);
           NameAsserts(program, program.functions[i], &compilation.object->functions[i]);
           lowering::WriteNames(program, VariablesOf(program.functions[i]),
                                &compilation.object->functions[i].variables);

@@ -14,6 +14,7 @@
 #include "runtime/conditions/card_condition.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
+#include "runtime/observe/thread_status.h"
 #include "runtime/scenario/file/expectation.h"
 #include "runtime/scenario/run/assert_watch.h"
 #include "runtime/scenario/run/response.h"
@@ -221,7 +222,11 @@ class ResponseFollower {
 };
 
 /// The thread's fault and its cause.
-Message DescribeFault(const vm::ThreadState& thread, int line) {
+Message DescribeFault(const vm::ThreadState& thread, const vm::Image& program, int line) {
+  if (const auto depth = runtime::DescribeDepth(thread, program)) {
+    return {fmt::format("in line {} {}", line, depth->en),
+            fmt::format("第 {} 行：{}", line, depth->zh)};
+  }
   switch (static_cast<vm::Fault>(thread.error)) {
     case vm::Fault::kDivisionByZero:
       return MakeMessage("division by zero in line {0}", "第 {0} 行除以零", line);
@@ -279,7 +284,7 @@ Message DescribeActual(const Subject& subject, const Failure& failure,
     }
     case Fault::Kind::kThread: {
       const int number = subject.threads[static_cast<size_t>(failure.fault.thread)].thread;
-      return DescribeFault(machine.thread(number), machine.Line(number));
+      return DescribeFault(machine.thread(number), *machine.image(), machine.Line(number));
     }
     case Fault::Kind::kDeadlock:
       return DescribeWaiting(controller);

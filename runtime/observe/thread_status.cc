@@ -21,7 +21,26 @@ std::string_view ThreadStateName(vm::ThreadRun run) {
   return "unbound";
 }
 
-Message DescribeFault(const vm::ThreadState& thread) {
+std::optional<Message> DescribeDepth(const vm::ThreadState& thread, const vm::Image& program) {
+  if (thread.error != static_cast<int>(vm::Fault::kIndexOutOfBounds)) return std::nullopt;
+  const vm::Function& function = program.object.functions[thread.function];
+  if (thread.pc >= function.instructions.size()) return std::nullopt;
+  for (const vm::Operand& operand : function.instructions[thread.pc].operands) {
+    const auto* element = std::get_if<vm::Element>(&operand);
+    if (element == nullptr || element->storage != vm::Storage::kLocal) continue;
+    for (const vm::RecursionFrames& frames : function.frames) {
+      if (frames.array != element->base) continue;
+      return MakeMessage(
+          "calls of '{0}' are nested more than {1} deep: write a larger number after '//@ depth:'",
+          "'{0}' 的嵌套调用超过 {1} 层：请在 '//@ depth:' 后写更大的数", frames.function,
+          frames.depth);
+    }
+  }
+  return std::nullopt;
+}
+
+Message DescribeFault(const vm::ThreadState& thread, const vm::Image& program) {
+  if (const auto depth = DescribeDepth(thread, program)) return *depth;
   switch (static_cast<vm::Fault>(thread.error)) {
     case vm::Fault::kDivisionByZero:
       return {"division by zero", "除数为零"};
@@ -46,10 +65,11 @@ std::string ResultText(const vm::ThreadState& thread) {
   return FormatNumber(result, FormOf(thread.result_type));
 }
 
-Message DescribeStatus(const vm::ThreadState& thread, const std::string& place) {
+Message DescribeStatus(const vm::ThreadState& thread, const vm::Image& program,
+                       const std::string& place) {
   switch (thread.run) {
     case vm::ThreadRun::kFaulted: {
-      const Message fault = DescribeFault(thread);
+      const Message fault = DescribeFault(thread, program);
       return {fmt::format("fault at {}: {}", place, fault.en),
               fmt::format("在 {} 发生故障：{}", place, fault.zh)};
     }

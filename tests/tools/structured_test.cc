@@ -74,6 +74,22 @@ TEST_F(StructuredTest, NamesLinesOfTheSource) {
                                  HasSubstr("     6  return sum;   [sum = 17]\n")));
 }
 
+TEST_F(StructuredTest, SaysWhichDepthIsTooSmall) {
+  folder_.Write("f.c",
+                "//@ structured\n//@ depth: 3\nint sum(int n) {\n  if (n == 0) return 0;\n"
+                "  return n + sum(n - 1);\n}\nint total;\nvoid t0(int n) { total = sum(n); }\n");
+  EXPECT_EQ(Run({"run", "f.c", "--thread=0=t0:n=2", "--expect=total == 3"}).exit_code, 0);
+  const ProcessResult deep = Run({"run", "f.c", "--thread=0=t0:n=3"});
+  EXPECT_THAT(deep.out,
+              HasSubstr("fault at f.c:5: calls of 'sum' are nested more than 3 deep: write a "
+                        "larger number after '//@ depth:'"));
+  EXPECT_THAT(Run({"--lang=zh", "run", "f.c", "--thread=0=t0:n=3"}).out,
+              HasSubstr("'sum' 的嵌套调用超过 3 层"));
+  folder_.Write("f.toml", "program = \"f.c\"\n[[thread]]\nfunction = \"t0\"\ninit.n = 3\n");
+  EXPECT_THAT(Run({"explore", "f.toml"}).out,
+              HasSubstr("in line 5 calls of 'sum' are nested more than 3 deep"));
+}
+
 TEST_F(StructuredTest, FaultsAtItsLine) {
   folder_.Write("f.c",
                 "int a;\nint f() {\n  int i;\n\n  while (a >= 0)\n    a += 10 / (3 - a);\n}\n");

@@ -469,7 +469,7 @@ class ScenarioRunner {
     report.statements = thread.executed;
     report.result = ResultText(thread);
     report.place = SourcePlace(ProgramPath(scenario_), function, thread.pc);
-    report.status = DescribeStatus(thread, report.place);
+    report.status = DescribeStatus(thread, image(), report.place);
     if (thread.run == vm::ThreadRun::kFaulted && !course_.agenda().ExpectsFault(number)) {
       Fail({}, {fmt::format("thread {} {}: {}", number, function.name, report.status.en),
                 fmt::format("线程 {} {}：{}", number, function.name, report.status.zh)});
