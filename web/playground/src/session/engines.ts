@@ -22,8 +22,11 @@ const modules = new Map<string, Promise<WebAssembly.Module>>();
 async function fetchModule(file: string): Promise<WebAssembly.Module> {
   const response = await fetch(new URL(file, document.baseURI));
   if (!response.ok) throw new Error(`${file}: ${response.status} ${response.statusText}`);
-  // Not compileStreaming: that refuses a server that does not know the type of the file.
-  return WebAssembly.compile(await response.arrayBuffer());
+  // While it comes; that refuses the answer of a server that does not know the type of the file.
+  const isKnown = response.headers.get("Content-Type") === "application/wasm";
+  return isKnown
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
 }
 
 async function compiledModule(purpose: Purpose): Promise<WebAssembly.Module> {

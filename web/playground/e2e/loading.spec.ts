@@ -1,0 +1,35 @@
+// How the module comes into the page.
+
+import { expect, test } from "@playwright/test";
+
+import { modulesOf, open, status } from "./support.js";
+
+test("the module is compiled while it comes, and fetched once, for checks, too", async ({
+  page,
+}) => {
+  const modules = modulesOf(page);
+  await page.addInitScript(() => {
+    const compile = WebAssembly.compileStreaming.bind(WebAssembly);
+    Object.assign(globalThis, { streams: 0 });
+    WebAssembly.compileStreaming = (source) => {
+      ++(globalThis as unknown as { streams: number }).streams;
+      return compile(source);
+    };
+  });
+  await open(page);
+  await page.getByRole("button", { name: "Check" }).click();
+  await expect(page.locator(".verdict")).toContainText("Not yet.");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toContainText("Finished, but");
+  expect(modules).toEqual(["oncard.wasm"]);
+  const streams = await page.evaluate(() => (globalThis as unknown as { streams: number }).streams);
+  expect(streams).toBe(1);
+});
+
+test("a module is also taken from a server that does not know its type", async ({ page }) => {
+  await page.route("**/oncard.wasm", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, headers: { "Content-Type": "application/octet-stream" } });
+  });
+  await open(page);
+});
