@@ -192,6 +192,32 @@ test("dragging over the timeline selects no text", async ({ page }) => {
   await page.mouse.up();
 });
 
+test("scale and cursor of the timeline count in the same unit, the one that was chosen", async ({
+  page,
+}) => {
+  await open(page);
+  await openOwn(page);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+  const numbers = async () => (await page.locator(".scale span").allTextContents()).map(Number);
+  const now = page.locator(".now-pill");
+  await expect(now).toHaveText("2500 ms");
+  // Others would be covered by the number at the cursor.
+  await expect.poll(numbers).toEqual([0, 500, 1000]);
+  const units = page.getByRole("group", { name: "Unit of the timeline" });
+  await units.getByRole("button", { name: "moments" }).click();
+  // 10 000 cycles, and 132 511 statements of a loop that waits for the axis.
+  await expect(now).toHaveText("moment 142511");
+  await expect.poll(numbers).toEqual([0, 50000, 100000]);
+  await page.reload();
+  await expect(units.getByRole("button", { name: "moments" })).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+  await expect(now).toHaveText("moment 0");
+});
+
 test("the timeline shows waits and faults of the past", async ({ page }) => {
   await open(page);
   await openOwn(page);

@@ -6,8 +6,13 @@ import {
   following,
   marksOf,
   momentAt,
+  momentOf,
   moved,
+  readable,
   ticks,
+  timeAt,
+  timesOf,
+  withPresent,
   wholeRun,
   zoomed,
 } from "../src/timeline/rows.js";
@@ -131,4 +136,50 @@ test("moments at places of the track", () => {
 test("the scale has round steps", () => {
   expect(ticks({ from: 0, to: 20 }, 6)).toEqual([0, 5, 10, 15, 20]);
   expect(ticks({ from: 130, to: 770 }, 6)).toEqual([200, 400, 600]);
+});
+
+describe("the scale in ms", () => {
+  const at = (moment: number, ms: number, statements: number) => ({
+    ...turn(moment, 0, statements),
+    time_ms: ms,
+  });
+  // 10 statements before the first cycle of 0.25 ms, then 20 cycles, 4 statements, and cycles.
+  const turns = [at(0, 0, 10), at(30, 5, 4)];
+  const whole = { from: 0, to: 100 };
+  const times = timesOf(turns, [], whole);
+
+  test.each([
+    [0, 0],
+    [10, 0],
+    [20, 2.5],
+    [30, 5],
+    [34, 5],
+    [54, 10],
+  ])("moment %i is at %f ms", (moment, ms) => {
+    expect(timeAt(times, 0.25, moment)).toBe(ms);
+  });
+
+  test("a time is where it begins: statements take none", () => {
+    expect([2.5, 5, 10].map((ms) => momentOf(times, 0.25, ms))).toEqual([20, 30, 54]);
+  });
+
+  test("the present moment is known before anything else is", () => {
+    const present = { moment: 40, ms: 8 };
+    expect(withPresent([], present)).toEqual([{ moment: 0, ms: 0 }, present]);
+    expect(timeAt(withPresent(times, present), 0.25, 37)).toBe(6.5);
+  });
+
+  test("where no statement is executed, the states of threads say the time", () => {
+    const waits: ThreadSpan = {
+      ...{ thread: 0, state: "running", line: 1, waits: { until_ms: 9 } },
+      ...{ from: 34, to: 84, from_ms: 5, to_ms: 17.5 },
+    };
+    const within = timesOf([], [waits], { from: 40, to: 60 });
+    expect(timeAt(within, 0.25, 40)).toBe(6.5);
+  });
+});
+
+test("numbers of the scale that would lie upon each other are left out", () => {
+  const marks = [-0.1, 0, 0.05, 0.2, 0.4, 0.6, 1.1].map((at) => ({ at, text: String(at) }));
+  expect(readable(marks, [0.3, 0.5]).map(({ at }) => at)).toEqual([0, 0.2, 0.6]);
 });

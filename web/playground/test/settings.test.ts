@@ -5,6 +5,7 @@ import {
   chooseLanguage,
   chooseSpeed,
   chooseTheme,
+  chooseUnit,
   keepSettings,
   settings,
 } from "../src/store/settings.js";
@@ -38,6 +39,16 @@ test("what is chosen is kept", () => {
   expect(JSON.parse(storage.get("oncard.settings") ?? "")).toEqual({
     ...{ language: "zh", theme: "light", speed: 0 },
   });
+});
+
+test("the unit of the timeline is kept once it is chosen", () => {
+  const storage = stubStorage({ settings: { unit: "hours" } });
+  keepSettings("en");
+  expect(settings.unit.value).toBe(undefined);
+  chooseUnit("ms");
+  expect(JSON.parse(storage.get("oncard.settings") ?? "")).toMatchObject({ unit: "ms" });
+  keepSettings("en");
+  expect(settings.unit.value).toBe("ms");
 });
 
 test("the speed changes by steps, and ends at the last ones", () => {

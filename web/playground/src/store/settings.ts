@@ -1,4 +1,4 @@
-// The reader's choices, kept in this browser: language, colours, speed.
+// The reader's choices, kept in this browser: language, colours, speed, unit of the timeline.
 // Tested by test/settings.test.ts.
 
 import { type Language, languageOf } from "@oncard/engine";
@@ -9,6 +9,9 @@ import { isKeptSettings, type KeptSettings } from "./kept_schema.js";
 import { salvaged } from "./salvaged.js";
 import { slice } from "./slice.js";
 
+/** In what the timeline counts. */
+export const units = ["ms", "moments"] as const;
+export type Unit = (typeof units)[number];
 export const themes = ["system", "light", "dark"] as const;
 export type Theme = (typeof themes)[number];
 /** The last one: as fast as it gets. */
@@ -19,9 +22,16 @@ interface Settings {
   theme: Theme;
   /** Times of the card for one of the reader's. */
   speed: number;
+  /** In what the timeline counts; undefined: as the lesson wants it. */
+  unit: Unit | undefined;
 }
 
-const [settings, change] = slice<Settings>({ language: "en", theme: "system", speed: 1 });
+const [settings, change] = slice<Settings>({
+  language: "en",
+  theme: "system",
+  speed: 1,
+  unit: undefined,
+});
 export { settings };
 
 export function chooseLanguage(language: Language): void {
@@ -34,6 +44,10 @@ export function chooseTheme(theme: Theme): void {
 
 export function chooseSpeed(speed: number): void {
   change({ speed });
+}
+
+export function chooseUnit(unit: Unit): void {
+  change({ unit });
 }
 
 /** Faster or slower by so many steps, as far as there are any. */
@@ -59,11 +73,16 @@ export function keepSettings(browserLanguage: string): void {
     language: before.language ?? languageOf(browserLanguage),
     theme: before.theme ?? "system",
     speed: speedOf(before.speed),
+    unit: before.unit,
   });
   effect(() => {
-    const { language, theme, speed } = settings;
-    const speedKept = speed.value === Infinity ? 0 : speed.value;
-    keep("settings", { language: language.value, theme: theme.value, speed: speedKept });
+    const { language, theme, speed, unit } = settings;
+    const now: KeptSettings = {
+      language: language.value,
+      theme: theme.value,
+      speed: speed.value === Infinity ? 0 : speed.value,
+    };
+    keep("settings", unit.value ? { ...now, unit: unit.value } : now);
   });
 }
 

@@ -49,7 +49,7 @@ export interface Bar {
   to: number;
 }
 
-/** Bars of one thread that are closer than this become one. */
+/** Parts of the span that are closer than this become one. */
 const together = 1 / 1500;
 
 /** The bars of the turns, which are in their order. */
@@ -111,6 +111,100 @@ export function marksOf(spans: ThreadSpan[], { from, to }: Span): Mark[] {
 /** The moment at a part of the span, within the run. */
 export function momentAt({ from, to }: Span, part: number, head: number): number {
   return Math.min(head, Math.max(0, Math.round(from + part * (to - from))));
+}
+
+// --- Scale ---------------------------------------------------------------------------------------
+
+/** A moment, and the time of the card there. */
+export interface TimeAt {
+  moment: number;
+  ms: number;
+}
+
+/** What turns and states say of the time within a span, in the order of their moments. */
+export function timesOf(turns: Turn[], spans: ThreadSpan[], { from, to }: Span): TimeAt[] {
+  const times = [
+    ...turns.flatMap(({ moment, time_ms: ms, statements }) => [
+      { moment, ms },
+      { moment: moment + statements, ms },
+    ]),
+    ...spans.flatMap((each) => [
+      { moment: each.from, ms: each.from_ms },
+      { moment: each.to, ms: each.to_ms },
+    ]),
+  ].sort((a, b) => a.moment - b.moment);
+  const within = times.filter(({ moment }) => moment >= from && moment <= to);
+  let last = -Infinity;
+  return (within.length > 0 ? within : times).filter(({ moment }) => {
+    if (moment - last < (to - from) * together) return false;
+    last = moment;
+    return true;
+  });
+}
+
+/** The same with the present moment, up to which nothing may be known yet. */
+export function withPresent(times: readonly TimeAt[], present: TimeAt): TimeAt[] {
+  return [
+    ...(times.length > 0 ? times : [{ moment: 0, ms: 0 }]).filter(
+      ({ moment }) => moment < present.moment,
+    ),
+    present,
+    ...times.filter(({ moment }) => moment > present.moment),
+  ];
+}
+
+/** On the lines between points (x, y), which are in their order; beyond them lines rise by `slope`. */
+function onLines(
+  points: readonly (readonly [number, number])[],
+  slope: number,
+  at: number,
+): number {
+  const index = points.findIndex(([x]) => x >= at);
+  const after = points[index];
+  const before = index < 0 ? points.at(-1) : points[index - 1];
+  if (before && after) {
+    return before[1] + ((at - before[0]) / (after[0] - before[0])) * (after[1] - before[1]);
+  }
+  const [x, y] = after ?? before ?? [0, 0];
+  return y + (at - x) * slope;
+}
+
+/** The time at a moment: where no statement is executed, each moment is a cycle. */
+export function timeAt(times: readonly TimeAt[], cycleMs: number, at: number): number {
+  return onLines(
+    times.map(({ moment, ms }) => [moment, ms] as const),
+    cycleMs,
+    at,
+  );
+}
+
+/** The first moment with a time. */
+export function momentOf(times: readonly TimeAt[], cycleMs: number, at: number): number {
+  return onLines(
+    times.map(({ moment, ms }) => [ms, moment] as const),
+    1 / cycleMs,
+    at,
+  );
+}
+
+/** A number of the scale, and where it stands: from 0 to 1, in the span. */
+export interface ScaleMark {
+  at: number;
+  text: string;
+}
+
+/** So close to each other, two numbers could not be read. */
+const leastApart = 0.09;
+
+/** The marks that can be read beside each other, and beside what covers a part of the scale. */
+export function readable(marks: ScaleMark[], covered: readonly [number, number]): ScaleMark[] {
+  let last = -Infinity;
+  return marks.filter(({ at }) => {
+    const isFree = at >= 0 && at <= 1 && (at < covered[0] || at > covered[1]);
+    if (!isFree || at - last < leastApart) return false;
+    last = at;
+    return true;
+  });
 }
 
 /** Whole steps for a scale: about `count` of them. */

@@ -1,16 +1,20 @@
 // The timeline: a row for each thread, who ran, waited and faulted when, and a cursor that can be
 // dragged.
 
-import type { Thread } from "@oncard/engine";
+import type { Thread, Turn } from "@oncard/engine";
+import { layoutOf } from "@oncard/lessons";
 import { effect, signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
 import { rowOf, touchesShared } from "../interleaving/cells.js";
-import { failingRun, useStepsOnCard } from "../interleaving/failing_run.js";
+import { failingRun, isOnCard, useStepsOnCard } from "../interleaving/failing_run.js";
 import { type Executed, executedAt } from "../interleaving/moments.js";
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
+import { record } from "../session/record.js";
 import { seek } from "../session/seeking.js";
+import { chooseUnit, settings, type Unit, units } from "../store/settings.js";
+import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
 import {
   type Bar,
@@ -19,8 +23,15 @@ import {
   type Mark,
   marksOf,
   momentAt,
+  momentOf,
+  readable,
+  type ScaleMark,
   type Span,
   ticks,
+  timeAt,
+  type TimeAt,
+  timesOf,
+  withPresent,
   wholeRun,
   zoomed,
 } from "./rows.js";
@@ -54,6 +65,7 @@ export function TimelinePanel() {
       <div class="bar">
         {state.threads.length > mostHighRows && <ChosenThread threads={state.threads} />}
         <div class="row end grow">
+          {!isOnCard.value && <UnitChoice />}
           <Zoom shown={shown} factor={0.5} label={t.zoomIn} text="+" />
           <Zoom shown={shown} factor={2} label={t.zoomOut} text="−" />
           <button
@@ -70,6 +82,50 @@ export function TimelinePanel() {
       {state.head === 0 && <p class="muted small note">{t.none}</p>}
     </div>
   );
+}
+
+/** The unit that the reader has chosen; otherwise that of what the lesson is about. */
+function unitNow(): Unit {
+  const layout = record.value ? undefined : layoutOf(source.lesson.value);
+  const isOfStatements = layout === "language" || layout === "threads";
+  return settings.unit.value ?? (isOfStatements ? "moments" : "ms");
+}
+
+function UnitChoice() {
+  const { timeline: t } = texts.value;
+  return (
+    <div class="tabs" role="group" aria-label={t.unit}>
+      {units.map((each) => (
+        <button
+          key={each}
+          type="button"
+          class="tab"
+          aria-pressed={each === unitNow()}
+          onClick={() => {
+            chooseUnit(each);
+          }}
+        >
+          {t.units[each]}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+/** So many turns say what the time is where not all of them are asked for, each found in so many moments. */
+const mostSamples = 20;
+const sampleLength = 2000;
+
+/** Single turns behind a moment, up to the end of what is shown. */
+async function samples(after: number, { to }: Span): Promise<Turn[]> {
+  const engine = await bench.engine();
+  const places = Array.from({ length: mostSamples }, (_, index) =>
+    Math.round(after + (index / mostSamples) * (to - after)),
+  );
+  const found = await Promise.all(
+    places.map((moment) => engine.turns(moment, moment + sampleLength, 1)),
+  );
+  return found.flat();
 }
 
 /** Of many threads the one that is chosen: its state, and its next statement. */
@@ -150,8 +206,8 @@ function Rows({ span: shown }: { span: Span }) {
   const head = state?.head ?? 0;
   const moment = state?.moment ?? 0;
   const key = `${shown.from} ${shown.to} ${head} ${session.history.value}`;
-  const nothing = { bars: [], marks: [], isCut: false };
-  const { bars, marks, isCut } =
+  const nothing = { bars: [], marks: [], times: [], isCut: false };
+  const { bars, marks, times, isCut } =
     useAsked(
       key,
       async () => {
@@ -165,6 +221,7 @@ function Rows({ span: shown }: { span: Span }) {
         return {
           bars: barsOf(turns, shown),
           marks: marksOf(spans, shown),
+          times: timesOf([...turns, ...(isLong ? await samples(end, shown) : [])], spans, shown),
           isCut: isLong || spans.length === mostSpans,
         };
       },
@@ -173,10 +230,18 @@ function Rows({ span: shown }: { span: Span }) {
   const executed = useStepsOnCard();
   const { steps, fatal } = stepsIn(shown, executed ?? []);
   const isMany = (state?.threads.length ?? 0) > mostHighRows;
-  const now =
-    executed === undefined
+  const unit = unitNow();
+  const now = executed
+    ? t.afterStep(executedAt(executed, moment))
+    : unit === "ms"
       ? `${number(state?.time_ms ?? 0)} ms`
-      : t.afterStep(executedAt(executed, moment));
+      : t.moment(moment);
+  const cycleMs = state && state.cycle > 0 ? state.time_ms / state.cycle : 1;
+  const scale = executed
+    ? scaleOfSteps(shown, executed)
+    : unit === "ms"
+      ? scaleOfTime(shown, withPresent(times, { moment, ms: state?.time_ms ?? 0 }), cycleMs)
+      : ticks(shown, 6).map((mark) => markAt(shown, mark, mark));
   const atCursor = (moment - shown.from) / (shown.to - shown.from);
   const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));
 
@@ -221,7 +286,7 @@ function Rows({ span: shown }: { span: Span }) {
           {fatal !== undefined && (
             <div class="fatal-line" title={texts.value.interleaving.fatal} ref={placed(fatal)} />
           )}
-          {steps.length === 0 && <Scale span={shown} cursor={atCursor} />}
+          {steps.length === 0 && <Scale marks={readable(scale, pillAt(atCursor))} />}
           <div
             class="cursor"
             role="slider"
@@ -451,24 +516,30 @@ function pillAt(cursor: number): [number, number] {
   return [from, from + width];
 }
 
-function Scale({ span: shown, cursor }: { span: Span; cursor: number }) {
-  const [from, to] = pillAt(cursor);
-  const isCovered = (mark: number) => {
-    const part = (mark - shown.from) / (shown.to - shown.from);
-    return part > from && part < to;
-  };
-  const marks = ticks(shown, 6).filter((mark) => !isCovered(mark));
+function markAt({ from, to }: Span, moment: number, text: number): ScaleMark {
+  return { at: (moment - from) / (to - from), text: String(text) };
+}
+
+function scaleOfTime(shown: Span, times: readonly TimeAt[], cycleMs: number): ScaleMark[] {
+  const [from, to] = [shown.from, shown.to].map((moment) => timeAt(times, cycleMs, moment));
+  const marks = ticks({ from: from ?? 0, to: to ?? 0 }, 6);
+  return marks.map((ms) => markAt(shown, momentOf(times, cycleMs, ms), ms));
+}
+
+function scaleOfSteps(shown: Span, executed: readonly Executed[]): ScaleMark[] {
+  const [from, to] = [shown.from, shown.to].map((moment) => executedAt(executed, moment));
+  return ticks({ from: from ?? 0, to: to ?? 0 }, 6).flatMap((step) => {
+    const { moment } = executed[step - 1] ?? {};
+    return moment === undefined ? [] : [markAt(shown, moment, step)];
+  });
+}
+
+function Scale({ marks }: { marks: ScaleMark[] }) {
   return (
     <div class="scale" aria-hidden="true">
-      {marks.map((mark) => (
-        <span
-          key={mark}
-          ref={(element) => {
-            if (!element) return;
-            element.style.left = `${((mark - shown.from) / (shown.to - shown.from)) * 100}%`;
-          }}
-        >
-          {mark}
+      {marks.map(({ at, text }) => (
+        <span key={text} ref={placed(at)}>
+          {text}
         </span>
       ))}
     </div>
