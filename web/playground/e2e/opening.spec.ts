@@ -2,7 +2,16 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { editor, expectAccessible, failWithErrors, fromMenu, status } from "./support.js";
+import {
+  editor,
+  expectAccessible,
+  failWithErrors,
+  fromMenu,
+  open,
+  openOwn,
+  status,
+  write,
+} from "./support.js";
 
 const star = 'output[data-axis="1"]';
 
@@ -76,6 +85,38 @@ test("the opening leads to the first lesson, and the next visit opens what was o
   await page.getByLabel("Choose a lesson").selectOption("Welcome");
   await page.getByRole("button", { name: "Write my own program" }).click();
   await expect(page.getByRole("button", { name: "program.c" })).toBeVisible();
+});
+
+for (const width of [1440, 1024]) {
+  test(`no name and no value of a variable is cut off at ${width} pixels`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 900 });
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.goto("./");
+    await expect(status(page)).toHaveText("Card: finished.");
+    await expect(page.getByLabel("Change page0.cosine", { exact: true })).toHaveValue(
+      /^-?0\.\d{5}/,
+    );
+    const cut = await page
+      .locator(".variables :is(th, input)")
+      .evaluateAll((all) =>
+        all
+          .filter((each) => each.scrollWidth > each.clientWidth)
+          .map((each) => each.textContent || each.ariaLabel),
+      );
+    expect(cut).toEqual([]);
+  });
+}
+
+test("a name longer than the panel is cut, and has a title", async ({ page }) => {
+  const name = "a_name_of_thirty_one_characters";
+  await page.setViewportSize({ width: 1200, height: 900 });
+  await open(page);
+  await openOwn(page);
+  await write(page, `int ${name};\nint main()\n{\n  ${name} = 1;\n}\n`);
+  const header = page.getByRole("rowheader", { name });
+  await expect(header).toHaveAttribute("title", name);
+  const list = page.getByRole("group", { name: "Variables" });
+  expect(await list.evaluate((each) => each.scrollWidth - each.clientWidth)).toBeLessThanOrEqual(0);
 });
 
 test("what was changed in the opening is kept, and does not run by itself", async ({ page }) => {

@@ -78,7 +78,9 @@ function VariableTable({ title, variables }: { title: string; variables: Variabl
         )}
         {variables.map(({ path, type, value }) => (
           <tr key={path}>
-            <th scope="row">{path}</th>
+            <th scope="row" title={path}>
+              {path}
+            </th>
             <td class="muted">{type}</td>
             <td class="number">
               {Array.isArray(value) ? (
@@ -92,7 +94,7 @@ function VariableTable({ title, variables }: { title: string; variables: Variabl
                 <input
                   type="number"
                   step="any"
-                  class="narrow number"
+                  class="value number"
                   aria-label={t.change(path)}
                   value={number(value, 6)}
                   onChange={({ currentTarget }) => {
