@@ -1,7 +1,7 @@
 """Checks a built site: python3 docs/site/check.py build/site
 
 Every link leads to a file of the site, and every anchor to a place on its page. Nothing is requested
-from elsewhere: only links that a reader follows may leave the site.
+from elsewhere: only links that a reader follows may leave the site. A playground has its modules.
 """
 
 import re
@@ -53,6 +53,11 @@ def mistakes_of(site):
                 yield f"{path}: leads to {target}, which does not exist"
             elif file in pages and unquote(parts.fragment) not in pages[file].places:
                 yield f"{path}: leads to {target}, but there is no such place on that page"
+    # Its script asks for them, which no link shows.
+    playground = site / "playground" / "index.html"
+    for module in ("oncard.wasm", "oncard-full.wasm"):
+        if playground.is_file() and not playground.with_name(module).is_file():
+            yield f"{playground}: does nothing without {module}, which does not exist"
     for path in sorted(site.rglob("*.css")):
         text = path.read_text(encoding="utf-8")
         for target in re.findall(r"url\([\"']?((?:https?:)?//[^)\"']*)", text):

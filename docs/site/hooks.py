@@ -13,6 +13,7 @@ from pathlib import Path
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 # Where the playground is built, and its place in the page that shows it.
 PLAYGROUND = Path("web/playground/dist/page")
+MODULES = ("oncard.wasm", "oncard-full.wasm")
 PLAYGROUND_PLACE = "<!-- playground -->"
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 
@@ -60,8 +61,7 @@ def on_config(config):
 
 def has_playground(root):
     """Whether it was built with its modules: without them it would be a page that does nothing."""
-    needed = ("index.html", "oncard.wasm", "oncard-full.wasm")
-    return all((root / PLAYGROUND / name).is_file() for name in needed)
+    return all((root / PLAYGROUND / name).is_file() for name in ("index.html", *MODULES))
 
 
 def playground_in(root):
@@ -77,8 +77,11 @@ def playground_in(root):
 
 def on_post_build(config):
     root = Path(config["config_file_path"]).resolve().parent
+    published = Path(config["site_dir"]) / "playground"
+    # That of an earlier build, whose module may be gone.
+    shutil.rmtree(published, ignore_errors=True)
     if has_playground(root):
-        shutil.copytree(root / PLAYGROUND, Path(config["site_dir"]) / "playground", dirs_exist_ok=True)
+        shutil.copytree(root / PLAYGROUND, published)
 
 
 def without_escapes_in_tables(markdown):

@@ -68,6 +68,29 @@ class Gathering(Folder):
         hooks.on_post_build(config)
         self.assertTrue((self.root / "s" / "playground" / "index.html").is_file())
 
+    def test_no_page_leads_to_the_playground_by_itself(self):
+        # It may be missing: only the place of the playground has a frame and a link, if it was built.
+        root = Path(__file__).resolve().parents[2]
+        navigation = re.findall(r": (\S+\.md)$", (root / "mkdocs.yml").read_text(encoding="utf-8"), re.M)
+        config = {"config_file_path": str(self.root / "mkdocs.yml")}
+        places = 0
+        for path in hooks.reachable(root, navigation):
+            if path.suffix != ".md":
+                continue
+            page = (root / path).read_text(encoding="utf-8")
+            places += hooks.PLAYGROUND_PLACE in page
+            shown = hooks.on_page_markdown(page, config)
+            self.assertNotIn("playground/index.html", shown, path)
+            self.assertNotIn("<iframe", shown, path)
+        self.assertEqual(places, 1)
+
+    def test_an_old_playground_goes_with_its_module(self):
+        config = {"config_file_path": str(self.root / "mkdocs.yml"), "site_dir": str(self.root / "s")}
+        self.write(web__playground__dist__page__index_html="<p>")
+        self.write(s__playground__index_html="<p>")
+        hooks.on_post_build(config)
+        self.assertFalse((self.root / "s" / "playground").exists())
+
     def test_chinese_pages_say_that_they_are(self):
         for name, language in (("a.md", "en"), ("a.zh-CN.md", "zh-CN")):
             page = SimpleNamespace(file=SimpleNamespace(src_path=name))
@@ -153,6 +176,21 @@ class Checking(Folder):
             self.mistakes(index_html='<a href="b.html">b</a><img src="c.svg">'),
             ["leads to b.html, which does not exist", "leads to c.svg, which does not exist"],
         )
+
+    def test_a_frame_needs_its_page(self):
+        frame = '<iframe src="../playground/index.html"></iframe>'
+        self.assertEqual(
+            self.mistakes(docs__playground_html=frame),
+            ["leads to ../playground/index.html, which does not exist"],
+        )
+
+    def test_a_playground_needs_its_modules(self):
+        self.write(**{"playground__oncard-full_wasm": ""})
+        self.assertEqual(
+            self.mistakes(playground__index_html="<p>"),
+            ["does nothing without oncard.wasm, which does not exist"],
+        )
+        self.assertEqual(self.mistakes(playground__oncard_wasm=""), [])
 
     def test_an_anchor_needs_a_place(self):
         self.assertEqual(
