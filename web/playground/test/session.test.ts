@@ -3,13 +3,14 @@
 import { effect } from "@preact/signals";
 import { afterAll, beforeAll, beforeEach, expect, onTestFinished, test, vi } from "vitest";
 
+import { failingRun, isOnCard, showFailingRun } from "../src/interleaving/failing_run.js";
 import { bench, present, session } from "../src/session/bench.js";
 import { followSource, messages } from "../src/session/messages.js";
 import { isEdited, ready, toggleBreakpoint } from "../src/session/on_card.js";
 import { chooseOpening, closeRecord, openRecord, record } from "../src/session/record.js";
 import { ownProgram } from "../src/store/own_program.js";
 import { chooseSpeed, speeds } from "../src/store/settings.js";
-import { edit, openLesson } from "../src/store/source.js";
+import { edit, openLesson, source } from "../src/store/source.js";
 import { stubStorage } from "./storage.js";
 
 vi.mock("../src/session/engines.js", async () => {
@@ -62,6 +63,17 @@ afterAll(async () => {
 test("what is opened is on the card, before its first step", () => {
   expect(messages.diagnostics.value).toEqual([]);
   expect(session.listing.value.map(({ name }) => name)).toEqual(["main"]);
+});
+
+test("a choice that follows a failing run at once is not part of it", async () => {
+  const { project } = source;
+  await bench.stepStatement();
+  const { schedule } = await (await bench.engine()).record();
+  const threads = { reason: "", threads: [], skipped: 0, rows: [] };
+  const shown = showFailingRun({ project: project.value, schedule, interleaving: threads });
+  await Promise.all([shown, bench.goTo({ moment: 0 }), bench.stepThread(0)]);
+  expect(failingRun.value?.schedule).toBe(schedule);
+  expect(isOnCard.value).toBe(false);
 });
 
 test("an edit is loaded before the card has begun", async () => {

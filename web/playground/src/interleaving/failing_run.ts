@@ -35,8 +35,8 @@ export const isOnCard = computed(
 /** Puts it onto the card, at its end. */
 export async function showFailingRun(found: FailingRun): Promise<void> {
   forgetRecord();
-  await bench.loadRecording(found.project, found.schedule);
-  change({ run: found, history: session.history.peek() });
+  const loaded = await bench.loadRecording(found.project, found.schedule);
+  change({ run: found, history: loaded ?? -1 });
 }
 
 export function forgetFailingRun(): void {

@@ -90,6 +90,8 @@ interface Loading {
   options?: LoadOptions | undefined;
   /** What comes before any walk, even one that was asked for meanwhile. */
   prepare?: (engine: Engine) => Promise<void>;
+  /** The same, once the card is shown before its first step. */
+  begin?: (engine: Engine) => Promise<void>;
 }
 
 type Success = Extract<Loaded, { compiled: true }>;
@@ -216,7 +218,7 @@ class Bench {
 
   /** What the engine answers; nothing if the project is not on the card. */
   async #load(loading: Loading): Promise<Success | undefined> {
-    const { project, loaded = project, before, options, prepare } = loading;
+    const { project, loaded = project, before, options, prepare, begin } = loading;
     changeSession({ project });
     const refuse = (notice: Notice) => {
       if (before) changeSession({ notice, project: before });
@@ -235,6 +237,7 @@ class Bench {
         await prepare?.(engine);
         this.#changeHistory();
         await this.#show(answer.state, { kind: "ready" });
+        await begin?.(engine);
         success = answer;
       } catch (error) {
         if (!(error instanceof RefusedError)) throw error;
@@ -244,13 +247,22 @@ class Bench {
     return success;
   }
 
-  /** Loads a recording of this project and goes to its end, past all breakpoints. */
-  async loadRecording(project: Project, schedule: string): Promise<void> {
+  /**
+   * Loads a recording of this project and goes to its end, past all breakpoints; whatever is asked for
+   * meanwhile comes after that.
+   * @returns the history of the session with the recording; undefined if that is not on the card
+   */
+  async loadRecording(project: Project, schedule: string): Promise<number | undefined> {
     const main = project.main.replace(/\.[^.]*$/, ".schedule");
     const files = { ...project.files, [main]: schedule };
-    if (!(await this.#load({ project, loaded: { ...project, main, files } }))) return;
-    await this.#then(async (engine) => this.#arrived(await engine.walkForward({ goal: "stop" })));
-    await this.stopAt(session.breakpoints.value);
+    let history: number | undefined;
+    const begin = async (engine: Engine) => {
+      await this.#arrived(await engine.walkForward({ goal: "stop" }));
+      history = session.history.peek();
+      await this.#setStops(engine);
+    };
+    await this.#load({ project, loaded: { ...project, main, files }, begin });
+    return history;
   }
 
   /** Replaces the breakpoints of what is loaded: each goes to the next line with a statement. */
