@@ -19,6 +19,7 @@ const schemas = {
   "playground/src/share/link.schema.json": ["LinkContent"],
   "playground/src/store/kept.schema.json": [
     ...["KeptSettings", "SolvedLessons", "OpenHints", "LinkedLessons", "KeptDraft", "KeptShelf"],
+    "KeptPlaces",
   ],
 };
 

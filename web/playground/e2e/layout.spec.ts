@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { expectAccessible, open, openOwn } from "./support.js";
+import { expectAccessible, fromMenu, open, openOwn } from "./support.js";
 
 async function boxOf(page: Page, panel: string) {
   const box = await page.locator(`#${panel}`).boundingBox();
@@ -46,4 +46,71 @@ test("a program of one's own after a lesson has the usual layout", async ({ page
   const values = await boxOf(page, "values");
   expect(values.x).toBe((await boxOf(page, "program")).x);
   expect((await boxOf(page, "machine")).y).toBeLessThan((await boxOf(page, "timeline")).y);
+});
+
+/** Drags the border of a column by so many pixels. */
+async function drag(page: Page, name: string, by: number): Promise<void> {
+  const border = await page.getByRole("separator", { name }).boundingBox();
+  if (!border) throw new Error(`${name} is not there`);
+  const [x, y] = [border.x + border.width / 2, border.y + border.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + by, y, { steps: 4 });
+  await page.mouse.up();
+}
+
+test("the borders of columns are dragged, and stay for their layout", async ({ page }) => {
+  await open(page, "#lesson=first-axis");
+  const before = await boxOf(page, "program");
+  await drag(page, "Width of the left column", 60);
+  await drag(page, "Width of the right column", -40);
+  const after = await boxOf(page, "program");
+  expect(after.x - before.x).toBeCloseTo(60, 0);
+  expect(after.right - before.right).toBeCloseTo(-40, 0);
+  await page.reload();
+  await expect(page.locator("#program")).toBeVisible();
+  expect((await boxOf(page, "program")).x).toBeCloseTo(after.x, 0);
+  await expectAccessible(page);
+  await page.getByLabel("Choose a lesson").selectOption("lock");
+  expect((await boxOf(page, "program")).x).toBeCloseTo(before.x, 0);
+  await page.getByLabel("Choose a lesson").selectOption("first-axis");
+  await fromMenu(page, "Reset layout");
+  expect((await boxOf(page, "program")).x).toBeCloseTo(before.x, 0);
+  await page.getByRole("button", { name: "More" }).click();
+  await expect(page.getByRole("menuitem", { name: "Reset layout" })).toHaveCount(0);
+});
+
+test("the arrow keys move a border, and say how wide its column is", async ({ page }) => {
+  await open(page, "#lesson=first-axis");
+  const border = page.getByRole("separator", { name: "Width of the right column" });
+  const { width } = await boxOf(page, "machine");
+  await border.press("ArrowLeft");
+  await expect.poll(async () => (await boxOf(page, "machine")).width).toBeCloseTo(width + 16, 0);
+  await border.press("ArrowRight");
+  await border.press("ArrowRight");
+  await expect.poll(async () => (await boxOf(page, "machine")).width).toBeCloseTo(width - 16, 0);
+  // 240 of 1424 pixels.
+  await border.press("Home");
+  await expect(border).toHaveAttribute("aria-valuenow", "17");
+  await border.press("End");
+  await expect.poll(async () => (await boxOf(page, "program")).width).toBeCloseTo(240, 0);
+  await border.dblclick();
+  await expect.poll(async () => (await boxOf(page, "machine")).width).toBeCloseTo(width, 0);
+});
+
+test("columns that were made wide on a large screen fit on a smaller one", async ({ page }) => {
+  await open(page, "#lesson=first-axis");
+  await page.getByRole("separator", { name: "Width of the right column" }).press("End");
+  for (const width of [1366, 1190, 1024, 800]) {
+    await page.setViewportSize({ width, height: 800 });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(wide, `at ${width} pixels`).toBeLessThanOrEqual(0);
+    expect((await boxOf(page, "program")).width).toBeGreaterThan(200);
+  }
+});
+
+test("a phone has no borders to drag", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page);
+  await expect(page.getByRole("separator")).toHaveCount(0);
 });

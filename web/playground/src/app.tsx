@@ -1,10 +1,10 @@
 // The page: the bar, the status line and the panels. On narrow screens one panel is shown at a time.
 
-import { layoutOf } from "@oncard/lessons";
-
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
+import { namedLayout } from "./frame/current.js";
+import { Frame } from "./frame/frame.js";
 import { failingRun } from "./interleaving/failing_run.js";
 import { InterleavingPanel } from "./interleaving/panel.js";
 import { isOpening } from "./lesson/opening.js";
@@ -21,7 +21,6 @@ import { arrangementFor } from "./store/arrangement.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
 import { settings } from "./store/settings.js";
-import { source } from "./store/source.js";
 import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
 
@@ -79,9 +78,7 @@ export function App() {
   const t = texts.value;
   const failing = failingRun.value !== undefined;
   const shownPanels = panels.filter((name) => name !== "interleaving" || failing);
-  // The card of a host's record is not what the lesson is about.
-  const named = record.value ? undefined : layoutOf(source.lesson.value);
-  const { middle, right } = arrangementFor(named, failing);
+  const { middle, right } = arrangementFor(namedLayout.value, failing);
   return (
     <>
       <a
@@ -113,24 +110,16 @@ export function App() {
           </button>
         ))}
       </nav>
-      <main
+      <Frame
         class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}
-        data-layout={named}
-      >
-        <div class="column">
-          <Box name="lesson" />
-        </div>
-        <div class="column">
-          {middle.map((name) => (
-            <Box key={name} name={name} />
-          ))}
-        </div>
-        <div class="column">
-          {right.map((name) => (
-            <Box key={name} name={name} />
-          ))}
-        </div>
-      </main>
+        left={<Box name="lesson" />}
+        middle={middle.map((name) => (
+          <Box key={name} name={name} />
+        ))}
+        right={right.map((name) => (
+          <Box key={name} name={name} />
+        ))}
+      />
     </>
   );
 }

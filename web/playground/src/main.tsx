@@ -13,6 +13,7 @@ import { followLanguage, followSource } from "./session/messages.js";
 import { followLesson, openFirst, openNext } from "./share/opened_link.js";
 import { listenToOtherTabs } from "./store/keep.js";
 import { offerLessons, takeProgress } from "./store/lessons.js";
+import { keepPlaces } from "./store/places.js";
 import { applySettings, keepSettings } from "./store/settings.js";
 import { takeFromElsewhere } from "./store/source.js";
 import { texts } from "./texts/texts.js";
@@ -27,6 +28,7 @@ import "./interleaving/arrow.css";
 
 keepSettings(navigator.language);
 applySettings();
+keepPlaces();
 effect(() => {
   document.title = texts.value.title;
 });

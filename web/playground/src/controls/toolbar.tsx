@@ -3,6 +3,7 @@
 import type { Ref } from "preact";
 import { useRef, useState } from "preact/hooks";
 
+import { layoutName } from "../frame/current.js";
 import { Gallery } from "../lesson/gallery.js";
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
@@ -11,6 +12,7 @@ import { isEdited } from "../session/on_card.js";
 import { openRecord, record } from "../session/record.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
+import { resetWidths, widthsOf } from "../store/places.js";
 import {
   chooseLanguage,
   chooseSpeed,
@@ -161,6 +163,7 @@ export function Toolbar() {
               },
             },
             { text: texts.value.theme[theme.value], onChosen: chooseNextTheme },
+            ...(hasOtherWidths() ? [{ text: texts.value.frame.reset, onChosen: resetLayout }] : []),
           ]}
         />
       </div>
@@ -175,6 +178,16 @@ export function Toolbar() {
       {shown === "share" && <ShareDialog onClose={close} />}
     </header>
   );
+}
+
+/** Whether the reader has made columns of this layout wider or narrower; phones have none. */
+function hasOtherWidths(): boolean {
+  const isPhone = matchMedia("(max-width: 760px)").matches;
+  return !isPhone && Object.keys(widthsOf(layoutName.value)).length > 0;
+}
+
+function resetLayout(): void {
+  resetWidths(layoutName.peek());
 }
 
 function chooseNextTheme(): void {

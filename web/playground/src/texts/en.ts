@@ -20,6 +20,13 @@ export const en = {
     all: "Parts of the page",
   },
 
+  frame: {
+    left: "Width of the left column",
+    right: "Width of the right column",
+    drag: "Drag, or double click for the usual width",
+    reset: "Reset layout",
+  },
+
   controls: {
     all: "Run control",
     run: "Run",

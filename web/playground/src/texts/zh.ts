@@ -22,6 +22,13 @@ export const zh: Texts = {
     all: "页面的各部分",
   },
 
+  frame: {
+    left: "左栏的宽度",
+    right: "右栏的宽度",
+    drag: "可拖动；双击恢复通常的宽度",
+    reset: "重置布局",
+  },
+
   controls: {
     all: "运行控制",
     run: "运行",
