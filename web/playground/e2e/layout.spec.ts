@@ -89,9 +89,9 @@ test("the arrow keys move a border, and say how wide its column is", async ({ pa
   await border.press("ArrowRight");
   await border.press("ArrowRight");
   await expect.poll(async () => (await boxOf(page, "machine")).width).toBeCloseTo(width - 16, 0);
-  // 240 of 1424 pixels.
+  // 400 of 1424 pixels.
   await border.press("Home");
-  await expect(border).toHaveAttribute("aria-valuenow", "17");
+  await expect(border).toHaveAttribute("aria-valuenow", "28");
   await border.press("End");
   await expect.poll(async () => (await boxOf(page, "program")).width).toBeCloseTo(240, 0);
   await border.dblclick();
@@ -107,6 +107,28 @@ test("columns that were made wide on a large screen fit on a smaller one", async
     expect(wide, `at ${width} pixels`).toBeLessThanOrEqual(0);
     expect((await boxOf(page, "program")).width).toBeGreaterThan(200);
   }
+});
+
+test("axes are shown whole in a column of any width", async ({ page }) => {
+  await open(page, "#lesson=first-axis");
+  const border = page.getByRole("separator", { name: "Width of the right column" });
+  const cut = () =>
+    page
+      .locator(".axis-row")
+      .evaluateAll((rows) => rows.map((each) => each.scrollWidth - each.clientWidth));
+  for (const width of [1440, 1200]) {
+    await page.setViewportSize({ width, height: 900 });
+    expect(await cut(), `at ${width} pixels`).toEqual([0, 0]);
+  }
+  await border.press("Home");
+  for (let steps = 0; steps < 20; ++steps) {
+    expect(await cut(), `after ${steps} steps`).toEqual([0, 0]);
+    await border.press("ArrowLeft");
+  }
+  await border.press("Home");
+  await page.setViewportSize({ width: 1000, height: 900 });
+  expect(await cut()).toEqual([0, 0]);
+  expect((await boxOf(page, "machine")).width).toBeCloseTo(400, 0);
 });
 
 test("a phone has no borders to drag", async ({ page }) => {

@@ -23,12 +23,13 @@ export function Frame({ class: kind, left, middle, right }: Columns) {
       ref={(element) => {
         for (const side of sides) {
           const { [side]: part } = widths;
-          // Where the window is too narrow for all, the columns share what there is.
-          const track = part === undefined ? "" : `minmax(0, ${(100 * part).toFixed(2)}%)`;
+          // In a narrower window the columns share what there is beyond that.
+          const from = `min(${least[side]}px, 50%)`;
+          const track = part === undefined ? "" : `minmax(${from}, ${(100 * part).toFixed(2)}%)`;
           element?.style.setProperty(`--${side}`, track);
         }
         const isChosen = Object.keys(widths).length > 0;
-        element?.style.setProperty("--least", isChosen ? `${least}px` : "");
+        element?.style.setProperty("--least", isChosen ? `${least.middle}px` : "");
       }}
     >
       <div class="column left">{left}</div>

@@ -6,8 +6,8 @@ import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { resetWidth, type Side, widen } from "../store/places.js";
 import { texts } from "../texts/texts.js";
 
-/** A column and the one beside it stay at least so wide, in pixels. */
-export const least = 240;
+/** Columns stay at least so wide, in pixels: what they show still has room there. */
+export const least = { left: 240, middle: 240, right: 400 };
 /** So far an arrow key moves the border. */
 const step = 16;
 
@@ -28,7 +28,7 @@ function measure(splitter: HTMLElement | null, side: Side): Measured | undefined
   if (!page || own === 0) return undefined;
   const { paddingLeft, paddingRight } = getComputedStyle(page);
   const whole = page.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
-  return { own, most: Math.max(own, own + beside - least), whole };
+  return { own, most: Math.max(own, own + beside - least.middle), whole };
 }
 
 export function Splitter({ layout, side }: { layout: string; side: Side }) {
@@ -53,7 +53,7 @@ export function Splitter({ layout, side }: { layout: string; side: Side }) {
   const put = (wished: number) => {
     const now = measure(element.current, side);
     if (!now) return;
-    widen(layout, side, Math.min(now.most, Math.max(least, wished)) / now.whole);
+    widen(layout, side, Math.min(now.most, Math.max(least[side], wished)) / now.whole);
   };
   const drag = (event: TargetedPointerEvent<HTMLDivElement>) => {
     const { current: from } = held;
@@ -65,7 +65,7 @@ export function Splitter({ layout, side }: { layout: string; side: Side }) {
     const wishes: Record<string, number> = {
       ArrowLeft: now.own - sign * step,
       ArrowRight: now.own + sign * step,
-      Home: least,
+      Home: least[side],
       End: now.most,
     };
     const wished = wishes[event.key];
@@ -83,7 +83,7 @@ export function Splitter({ layout, side }: { layout: string; side: Side }) {
       aria-orientation="vertical"
       aria-label={t[side]}
       aria-valuenow={percent(measured?.own ?? 0)}
-      aria-valuemin={percent(measured ? least : 0)}
+      aria-valuemin={percent(measured ? least[side] : 0)}
       aria-valuemax={percent(measured?.most ?? 0)}
       title={t.drag}
       onKeyDown={walk}
