@@ -44,6 +44,19 @@ test("a first visit sees a table that draws by itself, threads that alternate, a
   expect(new URL(page.url()).hash).toBe("");
 });
 
+test("the way of the table is the paler the older it is", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("./");
+  await expect(status(page)).toHaveText("Card: finished.");
+  const way = page.locator(".table .way");
+  await expect(way).toHaveCount(8);
+  const shades = await way.evaluateAll((parts) =>
+    parts.map((each) => Number(each.getAttribute("stroke-opacity"))),
+  );
+  expect(shades[0]).toBeCloseTo(0.28);
+  expect(shades[7]).toBe(1);
+});
+
 test("a number is changed while it runs, and Run draws another star", async ({ page }) => {
   await page.goto("./");
   await expect(status(page)).toHaveText("Card running.");

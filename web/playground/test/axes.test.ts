@@ -10,6 +10,7 @@ import {
   placeOn,
   positionText,
   roundUp,
+  trailOf,
   wayOf,
 } from "../src/machine/axes.js";
 
@@ -116,4 +117,25 @@ test("two axes on a straight line in opposite directions stay on it", () => {
   const xs = wayOf({ least: [0, 10, 20], largest: [10, 20, 30] });
   const ys = wayOf({ least: [20, 10, 0], largest: [30, 20, 10] });
   expect(xs.map((x, index) => x + (ys[index] ?? NaN))).toEqual([30, 30, 30]);
+});
+
+test("a trail is one way in parts, which are the darker the younger they are", () => {
+  const way = Array.from({ length: 301 }, (_, index) => index);
+  const trail = trailOf(way);
+  expect(trail).toHaveLength(8);
+  expect(trail[0]?.part[0]).toBe(0);
+  expect(trail.at(-1)?.part.at(-1)).toBe(300);
+  for (const [index, { part }] of trail.slice(1).entries()) {
+    expect(part[0]).toBe(trail[index]?.part.at(-1));
+  }
+  const shades = trail.map(({ opacity }) => opacity);
+  expect(shades[0]).toBeCloseTo(0.28);
+  expect(shades.at(-1)).toBe(1);
+  expect(shades).toEqual([...shades].sort((a, b) => a - b));
+});
+
+test("a short way has fewer parts, and a single place has none", () => {
+  expect(trailOf(["a", "b", "c"]).map(({ part }) => part.join(""))).toEqual(["ab", "bc"]);
+  expect(trailOf(["a", "b"])).toEqual([{ part: ["a", "b"], opacity: 1 }]);
+  expect(trailOf(["a"])).toEqual([]);
 });

@@ -144,6 +144,23 @@ export function wayOf({ least, largest }: Pick<Channel, "least" | "largest">): n
   });
 }
 
+/** A trail has so many shades, from the oldest one, which is the palest, to ink. */
+const shades = 8;
+const palest = 0.28;
+
+/** The parts of a way, each with how dark it is; a part begins where the one before ends. */
+export function trailOf<Point>(way: readonly Point[]): { part: Point[]; opacity: number }[] {
+  const lines = way.length - 1;
+  const count = Math.min(shades, lines);
+  return Array.from({ length: Math.max(0, count) }, (_, index) => ({
+    part: way.slice(
+      Math.round((index * lines) / count),
+      Math.round(((index + 1) * lines) / count) + 1,
+    ),
+    opacity: 1 - ((1 - palest) * (count - 1 - index)) / Math.max(1, count - 1),
+  }));
+}
+
 /** Where a position is on its stage, from 0 to 1. */
 export function placeOn({ least, largest }: Reach, position: number): number {
   return (position - least) / (largest - least);

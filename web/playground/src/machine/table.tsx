@@ -1,9 +1,10 @@
-// An XY table of two axes: where the tool is, and the way that it has taken.
+// An XY table of two axes: where the tool is, and the way that it has taken, which
+// fades with its age.
 
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
-import { type AxisView, grown, placeOn, positionText, type Reach, wayOf } from "./axes.js";
+import { type AxisView, grown, placeOn, positionText, type Reach, trailOf, wayOf } from "./axes.js";
 
 const size = 260;
 const edge = 10;
@@ -24,9 +25,9 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
   const top = (value: number) => size - onTable(placeOn(reachY, value));
   const atX = left(x.position);
   const atY = top(y.position);
-  const points = [...path, [x.position, y.position] as const]
-    .map(([px, py]) => `${left(px).toFixed(1)},${top(py).toFixed(1)}`)
-    .join(" ");
+  const points = [...path, [x.position, y.position] as const].map(
+    ([px, py]) => `${left(px).toFixed(1)},${top(py).toFixed(1)}`,
+  );
   return (
     <svg
       viewBox={`0 0 ${size} ${size}`}
@@ -54,7 +55,9 @@ export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: 
         </g>
       ))}
       <line x1={atX} x2={atX} y1={edge} y2={size - edge} class="gantry" />
-      <polyline points={points} class="way" />
+      {trailOf(points).map(({ part, opacity }, index) => (
+        <polyline key={index} points={part.join(" ")} class="way" stroke-opacity={opacity} />
+      ))}
       <circle cx={atX} cy={atY} r="6" class={`tool-point ${x.moving || y.moving ? "now" : ""}`} />
     </svg>
   );
