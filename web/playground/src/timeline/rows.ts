@@ -1,5 +1,5 @@
-// The part of a run that the timeline shows, and where its bars are. Its scale is that of moments:
-// statements within a cycle, where no time passes, lie beside each other.
+// The part of a run that the timeline shows, and where its bars and the numbers of its scale are. Its
+// lanes count moments: statements within a cycle, where no time passes, lie beside each other.
 // Tested by test/rows.test.ts.
 
 import type { ThreadSpan, Turn } from "@oncard/engine";
