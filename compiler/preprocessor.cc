@@ -180,6 +180,7 @@ void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth)
   if (!scanned) return;
   const std::vector<Token>& tokens = *scanned;
   const std::string_view text = files_.TextOf(index);
+  AppendComments(text, index, tokens, &comments_);
   const size_t open = conditionals_.size();
   const std::span<const Token> all(tokens);
   uint32_t text_begin = 0;

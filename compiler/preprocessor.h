@@ -16,6 +16,7 @@
 #include "compiler/macro_expander.h"
 #include "compiler/program_files.h"
 #include "compiler/reporter.h"
+#include "compiler/source_comments.h"
 #include "compiler/syntax.h"
 
 namespace oncard::compiler {
@@ -41,6 +42,8 @@ class Preprocessor {
   std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
   /// Texts of no file, to which tokens may point, too: headers of C, and words that macros made.
   std::deque<SourceFile>& made() { return made_; }
+  /// The comments of each file, also those in text that is not read.
+  std::vector<SourceComment>& comments() { return comments_; }
   MacroExpander& macros() { return macros_; }
   /// After Run(): true for a place in text that is not read, such as behind `#if 0`.
   bool IsSkipped(const SourceRange& place) const;
@@ -82,6 +85,7 @@ class Preprocessor {
   MacroExpander macros_;
   ProgramFiles files_;
   std::vector<Token> tokens_;
+  std::vector<SourceComment> comments_;
   std::vector<Conditional> conditionals_;
   SourceRange program_include_;       // the #include of the program that is being obeyed
   std::vector<SourceRange> skipped_;  // text that is not read; after Run() in its order

@@ -18,11 +18,13 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   macro_uses_ = std::move(preprocessor.macros().uses());
   asserts_ = FindAsserts(files_);
   depths_ = FindDepths(files_);
+  comments_ = std::move(preprocessor.comments());
   const auto is_skipped = [&preprocessor](const auto& comment) {
     return preprocessor.IsSkipped(comment.range);
   };
   std::erase_if(asserts_, is_skipped);
   std::erase_if(depths_, is_skipped);
+  std::erase_if(comments_, is_skipped);
   tokens_ = std::move(preprocessor.tokens());
   const std::unordered_set<std::string_view> type_names = MarkTypeNames(tokens_);
   ParserDriver driver(tokens_, reporter, Dialect::kStructured);

@@ -16,6 +16,7 @@
 #include "compiler/depth_comments.h"
 #include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
+#include "compiler/source_comments.h"
 #include "compiler/syntax.h"
 
 namespace oncard::compiler {
@@ -47,6 +48,7 @@ class StructuredSource {
   /// Those in text that is read.
   const std::vector<AssertComment>& asserts() const { return asserts_; }
   const std::vector<DepthComment>& depths() const { return depths_; }
+  const std::vector<SourceComment>& comments() const { return comments_; }
   /// Adds to each diagnostic at the use of a macro where the macro is defined. Call once, when
   /// nothing more is reported.
   void AddMacroNotes(Reporter& reporter) const;
@@ -58,6 +60,7 @@ class StructuredSource {
   MacroUses macro_uses_;
   std::vector<AssertComment> asserts_;
   std::vector<DepthComment> depths_;
+  std::vector<SourceComment> comments_;
   std::vector<Token> tokens_;
   std::unordered_set<std::string_view> skipped_names_;
   Tree tree_;

@@ -178,6 +178,44 @@ TEST(StructuredMessages, SayWhatToWriteInsteadOfAPointer) {
   EXPECT_THAT(reporter.diagnostics()[1].notes[0].message.en, testing::HasSubstr("an index"));
 }
 
+// Each as "BEFORE|COMMENT|BEHIND", with the words around it, and a star if it is alone on its
+// lines.
+std::vector<std::string> CommentsOf(const std::string& text) {
+  Reporter reporter;
+  const StructuredSource source("test.c", text, {}, NoFiles(), reporter);
+  EXPECT_FALSE(reporter.HasErrors()) << text;
+  std::vector<std::string> comments;
+  const auto word_at = [&text](uint32_t at) {
+    return text.substr(at, text.find_first_of(" ;\n", at + 1) - at);
+  };
+  for (const SourceComment& comment : source.comments()) {
+    const SourceRange& range = comment.range;
+    comments.push_back(word_at(comment.before) + "|" +
+                       text.substr(range.begin, range.end - range.begin) + "|" +
+                       word_at(comment.behind) + (comment.alone ? "*" : ""));
+  }
+  return comments;
+}
+
+TEST(StructuredComments, StandAloneOrBesideWords) {
+  using testing::ElementsAre;
+  EXPECT_THAT(CommentsOf("// a\n/* b */ // c\nint v; // d\n /* e\n */\n/* f */ int w; /* g\n*/\n"),
+              ElementsAre("//|// a|int*", "//|/* b */|int*", "//|// c|int*", ";|// d|int",
+                          ";|/* e\n */|int*", ";|/* f */|int", ";|/* g\n*/|"));
+  EXPECT_THAT(CommentsOf("int v; /* a\n */ // b\n\n/* c\n*/ int w;\n"),
+              ElementsAre(";|/* a\n */|int", ";|// b|int*", ";|/* c\n*/|int"));
+  EXPECT_THAT(CommentsOf("int v; // a \\\n b\nint w; //"),
+              ElementsAre(";|// a \\\n b|int", ";|//|"));
+}
+
+TEST(StructuredComments, AreNoPartsOfTextsLinesForToolsOrSkippedText) {
+  using testing::ElementsAre;
+  EXPECT_THAT(CommentsOf("//@ structured\n  //@ final: v == 1\nint v; //@ a\n"),
+              ElementsAre(";|//@ a|"));
+  EXPECT_THAT(CommentsOf("#define A \"/*\" // a\n#if 0\n// b\n#endif\nint v = 7 / 2;\n"),
+              ElementsAre("\"/*\"|// a|#if"));
+}
+
 TEST(DialectTest, FirstLineSelectsStructuredC) {
   for (const char* text : {"//@ structured", "//@ structured\nint a;", "//@structured\r\nint a;",
                            "\xEF\xBB\xBF  //@  structured  \n"}) {
