@@ -168,7 +168,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
     }
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed =
-          lowering::Print(program, source.files(), lowering_options.annotate);
+          lowering::Print(program, source, lowering_options.annotate);
       Compilation compilation = CompileCardText(path, printed.text, options, reader);
       Translate(compilation, printed.origins, !program.assertions.empty(), reporter);
       if (!reporter.HasErrors()) {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "compiler/dialect.h"
+#include "compiler/lowering/kept_comments.h"
 #include "compiler/lowering/speller.h"
 #include "compiler/lowering/written_names.h"
-#include "compiler/text.h"
 
 namespace oncard::compiler::lowering {
 namespace {
@@ -20,17 +20,22 @@ constexpr size_t kDeclarationWidth = 80;
 
 class Printer {
  public:
-  Printer(const Program& program, const std::deque<SourceFile>& files, bool annotate)
-      : program_(program), files_(files), annotate_(annotate), speller_(program) {}
+  Printer(const Program& program, const StructuredSource& source, bool annotate)
+      : program_(program),
+        files_(source.files()),
+        annotate_(annotate),
+        speller_(program),
+        kept_(program, source.tree(), source.files(), source.comments()) {}
 
   PrintedProgram Run() {
+    PrintLines(kept_.title());
+    EmptyLine();
     PrintToolComments();
     PrintConstants();
-    for (const int global : program_.globals) {
-      const Variable& variable = VariableAt(global);
-      Line(fmt::format("{} {};", SpellType(variable), Declare(variable)), variable.range);
-    }
+    for (const int global : program_.globals) PrintGlobal(VariableAt(global));
     for (const LoweredFunction& function : program_.functions) PrintFunction(function);
+    if (!kept_.rest().empty()) EmptyLine();
+    PrintLines(kept_.rest());
     return std::move(out_);
   }
 
@@ -49,6 +54,51 @@ class Printer {
   // Separates what follows from what stands there.
   void EmptyLine() {
     if (!out_.text.empty() && !out_.text.ends_with("\n\n")) Line("", Nowhere());
+  }
+
+  int LineAt(int file, uint32_t offset) const {
+    return files_[static_cast<size_t>(file)].LineOf(offset);
+  }
+  int LineOf(const SourceRange& place) const { return LineAt(place.file, place.begin); }
+
+  bool IsBehindEmptyLine(const SourceRange& place) const {
+    const int line = LineOf(place);
+    return line > 1 && Trim(files_[static_cast<size_t>(place.file)].Line(line - 1)).empty();
+  }
+
+  void PrintLines(const SourceComment& comment) {
+    for (const std::string& line : kept_.LinesOf(comment)) Line(line, comment.range);
+  }
+
+  // Comments outside of functions.
+  void PrintLines(const Comments& comments) {
+    for (const SourceComment* comment : comments) {
+      if (IsBehindEmptyLine(comment->range)) EmptyLine();
+      PrintLines(*comment);
+    }
+  }
+
+  // What stands in C above a declaration outside of functions: comments, and an empty line.
+  void PrintAbove(const SourceRange& place) {
+    const Comments comments = kept_.TakeAbove(place);
+    PrintLines(comments);
+    const SourceRange declaration = kept_.DeclarationAt(place);
+    // It may stand farther below.
+    const bool apart = !comments.empty() &&
+                       LineAt(place.file, comments.back()->range.end) + 1 < LineOf(declaration);
+    if (apart || IsBehindEmptyLine(declaration)) EmptyLine();
+  }
+
+  void PrintGlobal(const Variable& variable) {
+    std::string line = fmt::format("{} {};", SpellType(variable), Declare(variable));
+    if (variable.range.end > 0 && kept_.FunctionAt(variable.range) < 0) {
+      const SourceRange declaration = kept_.DeclarationAt(variable.range);
+      if (declarations_.emplace(declaration.file, declaration.begin).second) {
+        PrintAbove(variable.range);
+      }
+      line += kept_.TakeBeside(variable.range);
+    }
+    Line(line, variable.range);
   }
 
   const Variable& VariableAt(int number) const {
@@ -113,39 +163,33 @@ class Printer {
 
   // The text of C in one line, so that it can be a comment.
   static std::string OneLine(std::string_view text) {
+    const std::string line = CommentLine(text);
     const size_t end = text.find_first_of("\r\n");
-    std::string line(text.substr(0, end));
-    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
-    // A backslash at the end, but not as half of a GBK character, would continue the comment.
-    const bool utf8 = IsUtf8(line);
-    size_t kept = 0;
-    for (size_t at = 0; at < line.size();) {
-      const std::string_view rest = std::string_view(line).substr(at);
-      const std::string_view character = rest.substr(0, CharacterLength(rest, utf8));
-      at += character.size();
-      if (character != " " && character != "\t" && character != "\\") kept = at;
-    }
-    line.resize(kept);
     return end != std::string_view::npos && end > 0 &&
                    text.find_first_not_of(" \t\r\n", end) != std::string_view::npos
                ? line + " ..."
                : line;
   }
 
+  void PrintSource(const SourceRange& place, std::string_view text) {
+    const SourceFile& file = files_[static_cast<size_t>(place.file)];
+    const int line = LineOf(place);
+    const std::string where =
+        place.file == 0 ? std::to_string(line) : fmt::format("{}:{}", file.path(), line);
+    Line(fmt::format("  // {}: {}", where, OneLine(text)), place);
+  }
+
   void PrintComment(int statement) {
-    const SourceRange range = program_.statements[static_cast<size_t>(statement)];
-    const SourceFile& file = files_[static_cast<size_t>(range.file)];
-    const int line = file.LineOf(range.begin);
-    const std::pair<int, int> place(range.file, line);
+    const SourceRange& range = program_.statements[static_cast<size_t>(statement)];
+    const std::pair<int, int> place(range.file, LineOf(range));
     if (place == last_place_) return;
     last_place_ = place;
-    const bool first = printed_.insert(place).second;
-    const std::string_view source =
-        first ? file.Line(line)
-              : std::string_view(file.text()).substr(range.begin, range.end - range.begin);
-    const std::string where =
-        range.file == 0 ? std::to_string(line) : fmt::format("{}:{}", file.path(), line);
-    Line(fmt::format("  // {}: {}", where, OneLine(source)), range);
+    if (printed_.insert(place).second) {
+      PrintSource(range, kept_.LineWithoutTaken(range));
+      return;
+    }
+    const std::string_view text = files_[static_cast<size_t>(range.file)].text();
+    PrintSource(range, text.substr(range.begin, range.end - range.begin));
   }
 
   // What is worth knowing about a full expression: which of its calls are jumps, and globals that
@@ -188,15 +232,51 @@ class Printer {
     }
   }
 
+  // Comments above a function of the card, which is a function of C.
+  void PrintAboveFunction(const SourceRange& header, int own) {
+    PrintAbove(header);
+    if (own < 0) return;
+    const CommentedFunction& commented = kept_.functions()[static_cast<size_t>(own)];
+    size_t& next = next_comment_[static_cast<size_t>(own)];
+    for (; next < commented.comments.size(); ++next) {
+      const SourceComment& comment = *commented.comments[next];
+      if (comment.range.begin >= commented.range.begin) break;
+      if (IsBehindEmptyLine(comment.range)) EmptyLine();
+      PrintLines(comment);
+    }
+    if (IsBehindEmptyLine(commented.range)) EmptyLine();
+  }
+
+  // Those beside its header, unless a statement stands there too.
+  std::string TakeBesideHeader(int own) {
+    std::string text;
+    if (own < 0) return text;
+    const CommentedFunction& commented = kept_.functions()[static_cast<size_t>(own)];
+    const SourceFile& file = files_[static_cast<size_t>(commented.range.file)];
+    size_t& next = next_comment_[static_cast<size_t>(own)];
+    for (; next < commented.comments.size(); ++next) {
+      const SourceComment& comment = *commented.comments[next];
+      const bool beside = !comment.alone && comment.range.begin < commented.body &&
+                          LineOf(comment.range) < file.LineOf(commented.body);
+      if (!beside) break;
+      text += "  " + kept_.Take(comment);
+    }
+    return text;
+  }
+
   void PrintFunction(const LoweredFunction& function) {
     EmptyLine();
+    next_comment_.assign(kept_.functions().size(), 0);
+    const int own = kept_.FunctionAt(function.header);
+    PrintAboveFunction(function.header, own);
     std::string parameters;
     for (const int parameter : function.parameters) {
       if (!parameters.empty()) parameters += ", ";
       parameters +=
           fmt::format("{} {}", SpellType(VariableAt(parameter)), VariableAt(parameter).name);
     }
-    Line(fmt::format("{} {}({}) {{", vm::TypeName(function.type), function.name, parameters),
+    Line(fmt::format("{} {}({}) {{{}", vm::TypeName(function.type), function.name, parameters,
+                     TakeBesideHeader(own)),
          function.header);
     PrintLocals(function);
     printed_.clear();
@@ -223,7 +303,8 @@ class Printer {
     if (!function.code.empty() && !function.code.back().IsStatement()) {
       Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
     }
-    Line("}", function.end);
+    const bool beside = !printed_.contains({function.end.file, LineOf(function.end)});
+    Line(beside ? "}" + kept_.TakeBeside(function.end) : "}", function.end);
   }
 
   // The explorer finds the program's requirements in these lines. All names in them are those of
@@ -256,7 +337,9 @@ class Printer {
       if (number < 0) continue;
       const NamedConstant& constant = program_.constants[static_cast<size_t>(number)];
       if (constant.ambiguous || taken.contains(constant.name)) continue;
-      Line(fmt::format("#define {} {}", constant.name, speller_.Spell(constant.value)),
+      PrintAbove(constant.range);
+      Line(fmt::format("#define {} {}{}", constant.name, speller_.Spell(constant.value),
+                       kept_.TakeBeside(constant.range)),
            constant.range);
       speller_.UseName(number);
     }
@@ -267,16 +350,19 @@ class Printer {
   const std::deque<SourceFile>& files_;
   const bool annotate_;
   Speller speller_;
+  KeptComments kept_;
   PrintedProgram out_;
-  std::set<std::pair<int, int>> printed_;  // lines of C that are in the function already
+  std::set<std::pair<int, uint32_t>> declarations_;  // those of the globals
+  std::set<std::pair<int, int>> printed_;            // lines of C that are in the function already
+  std::vector<size_t> next_comment_;                 // of each function of C
   std::set<int> annotated_;
   std::pair<int, int> last_place_;
 };
 
 }  // namespace
 
-PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate) {
-  return Printer(program, files, annotate).Run();
+PrintedProgram Print(const Program& program, const StructuredSource& source, bool annotate) {
+  return Printer(program, source, annotate).Run();
 }
 
 }  // namespace oncard::compiler::lowering

@@ -1,12 +1,12 @@
 // Writes a lowered program as text of the card's language, with the statements of C as comments.
 #pragma once
 
-#include <deque>
 #include <string>
 #include <vector>
 
 #include "compiler/diagnostic.h"
 #include "compiler/lowering/ir.h"
+#include "compiler/structured_source.h"
 
 namespace oncard::compiler::lowering {
 
@@ -18,6 +18,6 @@ struct PrintedProgram {
 
 /// `annotate` marks the statements of C that read and write a global in different statements of the
 /// card.
-PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate);
+PrintedProgram Print(const Program& program, const StructuredSource& source, bool annotate);
 
 }  // namespace oncard::compiler::lowering

@@ -340,11 +340,11 @@ TEST(Lowering, LinesKnowWhereTheyComeFrom) {
 // The explorer reads a program's requirements from such lines, wherever they stand.
 TEST(Lowering, CommentsForToolsAreKept) {
   const Lowering lowering = Lower(
-      "//@ structured\n//@ init: v=1\r\n// not this\nint v;\nvoid t0() {\n  /*\n"
+      "//@ structured\n//@ init: v=1\r\n// about v\nint v;\nvoid t0() {\n  /*\n"
       "  //@ always: v < 3 \\\n  */\n  v++;\n}\n//@ final: v == 2");
   EXPECT_EQ(lowering.text.value(),
-            "//@ init: v=1\n//@ always: v < 3 \\\n//@ final: v == 2\n\nint v;\n\nvoid t0() {\n"
-            "  // 9: v++;\n  v = v + 1;\n}\n");
+            "//@ init: v=1\n//@ always: v < 3 \\\n//@ final: v == 2\n\n// about v\nint v;\n\n"
+            "void t0() {\n  // 9: v++;\n  v = v + 1;\n}\n");
   EXPECT_EQ(lowering.files[0].LineOf(lowering.origins[1].begin), 7);
 }
 
