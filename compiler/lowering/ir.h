@@ -169,7 +169,9 @@ struct Program {
   std::vector<int> globals;         ///< in the order of their declarations
   std::vector<LoweredFunction> functions;
   std::vector<SourceRange> statements;  ///< the full expressions of C, by Instruction::statement
-  std::vector<Assertion> assertions;    ///< by Instruction::assertion
+  /// From this statement on they are the initial values of globals, which thread functions write.
+  int start_statements = 0;
+  std::vector<Assertion> assertions;  ///< by Instruction::assertion
   /// Statements of all attempts to find out which calls should be jumps: the work of that.
   int64_t tried_statements = 0;
 };

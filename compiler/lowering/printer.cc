@@ -66,15 +66,17 @@ class Printer {
     return line > 1 && Trim(files_[static_cast<size_t>(place.file)].Line(line - 1)).empty();
   }
 
-  void PrintLines(const SourceComment& comment) {
-    for (const std::string& line : kept_.LinesOf(comment)) Line(line, comment.range);
+  void PrintLines(const SourceComment& comment, std::string_view indent) {
+    for (const std::string& line : kept_.LinesOf(comment)) {
+      Line(line.empty() ? line : fmt::format("{}{}", indent, line), comment.range);
+    }
   }
 
   // Comments outside of functions.
   void PrintLines(const Comments& comments) {
     for (const SourceComment* comment : comments) {
       if (IsBehindEmptyLine(comment->range)) EmptyLine();
-      PrintLines(*comment);
+      PrintLines(*comment, "");
     }
   }
 
@@ -171,6 +173,16 @@ class Printer {
                : line;
   }
 
+  // An empty line that C has above a line of a function, unless the function begins there.
+  void PrintEmptyLineAbove(const SourceRange& place) {
+    if (!spaced_.emplace(place.file, LineOf(place)).second || out_.text.size() == body_) return;
+    const int function = kept_.FunctionAt(place);
+    if (function < 0) return;
+    const bool first =
+        LineOf(kept_.functions()[static_cast<size_t>(function)].range) == LineOf(place);
+    if (!first && IsBehindEmptyLine(place)) EmptyLine();
+  }
+
   void PrintSource(const SourceRange& place, std::string_view text) {
     const SourceFile& file = files_[static_cast<size_t>(place.file)];
     const int line = LineOf(place);
@@ -179,17 +191,106 @@ class Printer {
     Line(fmt::format("  // {}: {}", where, OneLine(text)), place);
   }
 
+  // A comment in a function: as it is, or with the line of C beside which it stands.
+  void PrintKept(const SourceComment& comment) {
+    const SourceRange& range = comment.range;
+    if (comment.alone) {
+      PrintEmptyLineAbove(range);
+      PrintLines(comment, "  ");
+      return;
+    }
+    if (printed_.emplace(range.file, LineOf(range)).second) {
+      PrintEmptyLineAbove(range);
+      PrintSource(range, kept_.LineWithoutTaken(range));
+    }
+    const std::vector<std::string> lines = kept_.LinesOf(comment);
+    for (size_t i = 1; i < lines.size(); ++i) {
+      Line(fmt::format("  // {}", WithoutMark(lines[i])), range);
+    }
+  }
+
+  // A part of a function of C.
+  std::string WithoutComments(int function, const SourceRange& range) const {
+    const std::string_view source = files_[static_cast<size_t>(range.file)].text();
+    std::string text;
+    uint32_t begin = range.begin;
+    if (function >= 0) {
+      const Comments& comments = kept_.functions()[static_cast<size_t>(function)].comments;
+      auto comment = std::ranges::lower_bound(
+          comments, begin, {}, [](const SourceComment* other) { return other->range.begin; });
+      for (; comment != comments.end() && (*comment)->range.begin < range.end; ++comment) {
+        text += source.substr(begin, (*comment)->range.begin - begin);
+        begin = (*comment)->range.end;
+      }
+    }
+    return text.append(source.substr(begin, range.end - begin));
+  }
+
+  // The comments of a function of C up to a place that were not printed yet.
+  void PrintKeptBefore(int function, uint32_t place) {
+    if (function < 0) return;
+    const Comments& comments = kept_.functions()[static_cast<size_t>(function)].comments;
+    size_t& next = next_comment_[static_cast<size_t>(function)];
+    while (next < comments.size() && comments[next]->range.begin < place) {
+      PrintKept(*comments[next++]);
+    }
+  }
+
+  // The function of C to which a statement belongs. The initial values of static variables stand
+  // elsewhere.
+  int FunctionOf(int statement) const {
+    if (statement < 0 || statement >= program_.start_statements) return -1;
+    return kept_.FunctionAt(program_.statements[static_cast<size_t>(statement)]);
+  }
+
   void PrintComment(int statement) {
     const SourceRange& range = program_.statements[static_cast<size_t>(statement)];
     const std::pair<int, int> place(range.file, LineOf(range));
     if (place == last_place_) return;
+    const int function = FunctionOf(statement);
+    const SourceFile& file = files_[static_cast<size_t>(range.file)];
+    const std::string_view line = file.Line(place.second);
+    PrintKeptBefore(function, RangeOf(0, file.text(), line).begin);
     last_place_ = place;
-    if (printed_.insert(place).second) {
-      PrintSource(range, kept_.LineWithoutTaken(range));
+    if (!printed_.insert(place).second) {
+      PrintSource(range, WithoutComments(function, range));
+      return;
+    }
+    if (function >= 0) PrintEmptyLineAbove(range);
+    PrintSource(range, kept_.LineWithoutTaken(range));
+    if (function < 0) return;
+    // Those in it and beside it.
+    const Comments& comments = kept_.functions()[static_cast<size_t>(function)].comments;
+    const int last = file.LineOf(range.end);
+    size_t& next = next_comment_[static_cast<size_t>(function)];
+    while (next < comments.size() && LineOf(comments[next]->range) <= last) {
+      PrintKept(*comments[next++]);
+    }
+  }
+
+  // Comments between a statement, which is printed, and the brace that closes its block, or its
+  // function if that is one that is left.
+  void PrintKeptBehind(int statement, int following, int own) {
+    const int function = FunctionOf(statement);
+    if (function < 0) return;
+    const SourceRange& range = program_.statements[static_cast<size_t>(statement)];
+    const CommentedFunction& around = kept_.functions()[static_cast<size_t>(function)];
+    if (function != following) {
+      const bool last = range.begin >= around.last && function != own;
+      if (last) PrintKeptBefore(function, around.range.end);
       return;
     }
     const std::string_view text = files_[static_cast<size_t>(range.file)].text();
-    PrintSource(range, text.substr(range.begin, range.end - range.begin));
+    size_t& next = next_comment_[static_cast<size_t>(function)];
+    for (; next < around.comments.size(); ++next) {
+      const SourceComment& comment = *around.comments[next];
+      const bool closes = comment.alone && text.substr(comment.behind).starts_with('}');
+      const bool follows = comment.before >= range.begin &&
+                           (comment.before < range.end ||
+                            Trim(text.substr(range.end, comment.before + 1 - range.end)) == ";");
+      if (!closes || !follows) return;
+      PrintKept(comment);
+    }
   }
 
   // What is worth knowing about a full expression: which of its calls are jumps, and globals that
@@ -242,7 +343,7 @@ class Printer {
       const SourceComment& comment = *commented.comments[next];
       if (comment.range.begin >= commented.range.begin) break;
       if (IsBehindEmptyLine(comment.range)) EmptyLine();
-      PrintLines(comment);
+      PrintLines(comment, "");
     }
     if (IsBehindEmptyLine(commented.range)) EmptyLine();
   }
@@ -264,6 +365,42 @@ class Printer {
     return text;
   }
 
+  void PrintAboveAssert(const Instruction& assert) {
+    const SourceRange& comment = program_.assertions[static_cast<size_t>(assert.assertion)].comment;
+    const int function = kept_.FunctionAt(comment);
+    if (function < 0) return;
+    PrintKeptBefore(function, comment.begin);
+    PrintEmptyLineAbove(comment);
+  }
+
+  // Whether an instruction is the end of a block, whose last statement it belongs to.
+  bool LeavesBlock(const Instruction& instruction) const {
+    const SourceRange& range = program_.statements[static_cast<size_t>(instruction.statement)];
+    return (instruction.kind == Instruction::Kind::kLabel ||
+            instruction.kind == Instruction::Kind::kGoto) &&
+           instruction.range.begin < range.begin;
+  }
+
+  // A label stands in C where its statement begins, such as a case, or where a function does.
+  void PrintAboveLabel(const LoweredFunction& function, size_t number) {
+    const Instruction& label = function.code[number];
+    if (label.statement < 0) return;
+    const int around = FunctionOf(label.statement);
+    const auto next = std::find_if(
+        function.code.begin() + static_cast<std::ptrdiff_t>(number), function.code.end(),
+        [](const Instruction& instruction) { return instruction.IsStatement(); });
+    const int entered = next == function.code.end() ? -1 : FunctionOf(next->statement);
+    if (entered >= 0 && entered != around) {
+      PrintKeptBefore(entered, kept_.functions()[static_cast<size_t>(entered)].range.begin);
+    }
+    if (around < 0 || printed_.contains({label.range.file, LineOf(label.range)}) ||
+        kept_.FunctionAt(label.range) != around) {
+      return;
+    }
+    PrintKeptBefore(around, label.range.begin);
+    PrintEmptyLineAbove(label.range);
+  }
+
   void PrintFunction(const LoweredFunction& function) {
     EmptyLine();
     next_comment_.assign(kept_.functions().size(), 0);
@@ -278,14 +415,24 @@ class Printer {
     Line(fmt::format("{} {}({}) {{{}", vm::TypeName(function.type), function.name, parameters,
                      TakeBesideHeader(own)),
          function.header);
+    body_ = out_.text.size();
     PrintLocals(function);
     printed_.clear();
+    spaced_.clear();
     annotated_.clear();
     last_place_ = {-1, -1};
     int newest = -1;
+    int previous = -1;
     for (size_t i = 0; i < function.code.size(); ++i) {
       const Instruction& instruction = function.code[i];
+      if (instruction.statement >= 0) {
+        if (instruction.statement != previous || LeavesBlock(instruction)) {
+          PrintKeptBehind(previous, FunctionOf(instruction.statement), own);
+        }
+        previous = instruction.statement;
+      }
       if (instruction.kind == Instruction::Kind::kAssert) {
+        PrintAboveAssert(instruction);
         const std::string text = speller_.Spell(instruction, function);
         Line("  " + text, instruction.range);
         // A backslash at its end continues the comment with an empty line.
@@ -293,6 +440,7 @@ class Printer {
         continue;
       }
       const bool label = instruction.kind == Instruction::Kind::kLabel;
+      if (label) PrintAboveLabel(function, i);
       if (!label || instruction.statement > newest) {
         PrintComment(instruction.statement);
         if (annotate_) PrintAnnotations(function, i);
@@ -300,6 +448,8 @@ class Printer {
       newest = std::max(newest, instruction.statement);
       Line((label ? "" : "  ") + speller_.Spell(instruction, function), instruction.range);
     }
+    PrintKeptBehind(previous, own, own);
+    PrintKeptBefore(own, function.end.begin);
     if (!function.code.empty() && !function.code.back().IsStatement()) {
       Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
     }
@@ -353,7 +503,9 @@ class Printer {
   KeptComments kept_;
   PrintedProgram out_;
   std::set<std::pair<int, uint32_t>> declarations_;  // those of the globals
+  size_t body_ = 0;                                  // where the body of the function begins
   std::set<std::pair<int, int>> printed_;            // lines of C that are in the function already
+  std::set<std::pair<int, int>> spaced_;             // those whose empty lines are
   std::vector<size_t> next_comment_;                 // of each function of C
   std::set<int> annotated_;
   std::pair<int, int> last_place_;

@@ -205,6 +205,7 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
   for (FunctionInfo& info : functions_) {
     if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);
   }
+  program_.start_statements = static_cast<int>(program_.statements.size());
   MoveTables();
   for (LoweredFunction& function : program_.functions) EmitStart(function);
   return std::move(program_);

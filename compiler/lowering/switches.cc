@@ -108,7 +108,7 @@ void Lowerer::LowerSwitch(const Statement& statement) {
              range.place);
       EmitIf(compare(vm::BinaryOperator::kLessEqual, range.last, *range.item->last, range.place),
              range.label, range.place);
-      EmitLabel(skip, range.place);
+      EmitLabel(skip, statement.value->range);
     }
     EmitGoto(default_label >= 0 ? default_label : end, statement.value->range);
   }
