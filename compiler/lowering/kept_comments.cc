@@ -65,7 +65,7 @@ std::string_view WithoutMark(std::string_view line) {
 
 KeptComments::KeptComments(const Program& program, const Tree& tree,
                            const std::deque<SourceFile>& files,
-                           const std::vector<SourceComment>& comments)
+                           std::span<const SourceComment> comments)
     : files_(files) {
   FindItems(program, tree);
   Distribute(comments);
@@ -104,7 +104,7 @@ void KeptComments::FindItems(const Program& program, const Tree& tree) {
   for (const LoweredFunction& function : program.functions) mark(function.header, true);
 }
 
-void KeptComments::Distribute(const std::vector<SourceComment>& comments) {
+void KeptComments::Distribute(std::span<const SourceComment> comments) {
   Comments paragraph;
   const auto end_paragraph = [this, &paragraph] {
     if (!paragraph.empty()) PlaceParagraph(paragraph);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,7 +31,7 @@ class KeptComments {
  public:
   /// The references must outlive this object.
   KeptComments(const Program& program, const Tree& tree, const std::deque<SourceFile>& files,
-               const std::vector<SourceComment>& comments);
+               std::span<const SourceComment> comments);
 
   /// The first comment of the program, if it is about no single part of it.
   const Comments& title() const { return title_; }
@@ -66,7 +67,7 @@ class KeptComments {
   };
 
   void FindItems(const Program& program, const Tree& tree);
-  void Distribute(const std::vector<SourceComment>& comments);
+  void Distribute(std::span<const SourceComment> comments);
   void PlaceParagraph(const Comments& paragraph);
   void LeaveFree(const Comments& paragraph);
   void DropRemoved(const Program& program, const Tree& tree);

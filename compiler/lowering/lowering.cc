@@ -167,8 +167,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
       CheckAsserts(program, source.asserts(), reporter);
     }
     if (!reporter.HasErrors()) {
-      lowering::PrintedProgram printed =
-          lowering::Print(program, source, lowering_options.annotate);
+      lowering::PrintedProgram printed = lowering::Print(program, source, lowering_options);
       Compilation compilation = CompileCardText(path, printed.text, options, reader);
       Translate(compilation, printed.origins, !program.assertions.empty(), reporter);
       if (!reporter.HasErrors()) {
@@ -191,6 +190,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
         result.text = std::move(printed.text);
       }
       result.origins = std::move(printed.origins);
+      result.statements = std::move(printed.statements);
     }
   }
   source.AddMacroNotes(reporter);

@@ -21,6 +21,8 @@ struct LoweringOptions {
   /// Comments on statements of C that read and write a global in different statements of the card,
   /// and on calls that are jumps.
   bool annotate = false;
+  /// The comments of C, and its lines as comments.
+  bool comments = true;
   /// When optimising, so many slots may a thread function take before its locals share them, and
   /// the globals before constant tables move to pages. Tests take fewer than the card has.
   int slots = vm::kSlotCount;
@@ -58,6 +60,12 @@ struct FunctionCost {
   std::vector<std::string> tables;  ///< globals of C that are in the page
 };
 
+/// The statement or declaration of C that became a line of the lowered program.
+struct StatementOfC {
+  SourceRange range;   ///< file -1: none
+  bool moved = false;  ///< it stands elsewhere in C than what is around the line
+};
+
 struct Lowering {
   /// The files of the structured program, [0] the program itself; diagnostics index them.
   std::vector<SourceFile> files;
@@ -71,6 +79,8 @@ struct Lowering {
   std::vector<std::vector<SourceRange>> places;
   /// For each line of the text the place in C that it comes from; file -1: none.
   std::vector<SourceRange> origins;
+  /// The same for whole statements. A label has the one behind it, or at whose end it stands.
+  std::vector<StatementOfC> statements;
   std::vector<FunctionCost> costs;
   int global_slots = 0;
   /// Statements that were translated and given to the passes to find out which calls should be

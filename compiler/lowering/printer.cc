@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -20,12 +21,14 @@ constexpr size_t kDeclarationWidth = 80;
 
 class Printer {
  public:
-  Printer(const Program& program, const StructuredSource& source, bool annotate)
+  Printer(const Program& program, const StructuredSource& source, const LoweringOptions& options)
       : program_(program),
         files_(source.files()),
-        annotate_(annotate),
+        options_(options),
         speller_(program),
-        kept_(program, source.tree(), source.files(), source.comments()) {}
+        kept_(program, source.tree(), source.files(),
+              options.comments ? std::span<const SourceComment>(source.comments())
+                               : std::span<const SourceComment>()) {}
 
   PrintedProgram Run() {
     PrintLines(kept_.title());
@@ -46,9 +49,12 @@ class Printer {
     return range;
   }
 
-  void Line(const std::string& text, SourceRange origin) {
+  void Line(const std::string& text, SourceRange origin) { Line(text, origin, {origin}); }
+
+  void Line(const std::string& text, SourceRange origin, const StatementOfC& statement) {
     out_.text += text + '\n';
     out_.origins.push_back(origin);
+    out_.statements.push_back(statement);
   }
 
   // Separates what follows from what stands there.
@@ -93,14 +99,16 @@ class Printer {
 
   void PrintGlobal(const Variable& variable) {
     std::string line = fmt::format("{} {};", SpellType(variable), Declare(variable));
+    StatementOfC statement = {variable.range.end > 0 ? variable.range : Nowhere(), true};
     if (variable.range.end > 0 && kept_.FunctionAt(variable.range) < 0) {
       const SourceRange declaration = kept_.DeclarationAt(variable.range);
       if (declarations_.emplace(declaration.file, declaration.begin).second) {
         PrintAbove(variable.range);
       }
+      statement = {declaration};
       line += kept_.TakeBeside(variable.range);
     }
-    Line(line, variable.range);
+    Line(line, variable.range, statement);
   }
 
   const Variable& VariableAt(int number) const {
@@ -243,7 +251,14 @@ class Printer {
     return kept_.FunctionAt(program_.statements[static_cast<size_t>(statement)]);
   }
 
+  StatementOfC StatementOf(const Instruction& instruction) const {
+    if (instruction.kind == Instruction::Kind::kLabel) return {instruction.range};
+    return {program_.statements[static_cast<size_t>(instruction.statement)],
+            instruction.statement >= program_.start_statements};
+  }
+
   void PrintComment(int statement) {
+    if (!options_.comments) return;
     const SourceRange& range = program_.statements[static_cast<size_t>(statement)];
     const std::pair<int, int> place(range.file, LineOf(range));
     if (place == last_place_) return;
@@ -434,7 +449,9 @@ class Printer {
       if (instruction.kind == Instruction::Kind::kAssert) {
         PrintAboveAssert(instruction);
         const std::string text = speller_.Spell(instruction, function);
-        Line("  " + text, instruction.range);
+        const SourceRange& comment =
+            program_.assertions[static_cast<size_t>(instruction.assertion)].comment;
+        Line("  " + text, instruction.range, {comment});
         // A backslash at its end continues the comment with an empty line.
         if (text.ends_with('\\')) Line("", Nowhere());
         continue;
@@ -443,10 +460,11 @@ class Printer {
       if (label) PrintAboveLabel(function, i);
       if (!label || instruction.statement > newest) {
         PrintComment(instruction.statement);
-        if (annotate_) PrintAnnotations(function, i);
+        if (options_.annotate) PrintAnnotations(function, i);
       }
       newest = std::max(newest, instruction.statement);
-      Line((label ? "" : "  ") + speller_.Spell(instruction, function), instruction.range);
+      Line((label ? "" : "  ") + speller_.Spell(instruction, function), instruction.range,
+           StatementOf(instruction));
     }
     PrintKeptBehind(previous, own, own);
     PrintKeptBefore(own, function.end.begin);
@@ -465,7 +483,7 @@ class Printer {
       SourceRange range;
       range.begin = static_cast<uint32_t>(line.data() - source.data());
       range.end = range.begin + static_cast<uint32_t>(line.size());
-      Line(NameAsLowered(program_, Trim(line)), range);
+      Line(NameAsLowered(program_, Trim(line)), range, {range, true});
     });
     // A backslash at the end of the last one continues the comment with an empty line.
     EmptyLine();
@@ -490,7 +508,7 @@ class Printer {
       PrintAbove(constant.range);
       Line(fmt::format("#define {} {}{}", constant.name, speller_.Spell(constant.value),
                        kept_.TakeBeside(constant.range)),
-           constant.range);
+           constant.range, {constant.range, true});
       speller_.UseName(number);
     }
     EmptyLine();
@@ -498,7 +516,7 @@ class Printer {
 
   const Program& program_;
   const std::deque<SourceFile>& files_;
-  const bool annotate_;
+  const LoweringOptions& options_;
   Speller speller_;
   KeptComments kept_;
   PrintedProgram out_;
@@ -513,8 +531,9 @@ class Printer {
 
 }  // namespace
 
-PrintedProgram Print(const Program& program, const StructuredSource& source, bool annotate) {
-  return Printer(program, source, annotate).Run();
+PrintedProgram Print(const Program& program, const StructuredSource& source,
+                     const LoweringOptions& options) {
+  return Printer(program, source, options).Run();
 }
 
 }  // namespace oncard::compiler::lowering

@@ -6,6 +6,7 @@
 
 #include "compiler/diagnostic.h"
 #include "compiler/lowering/ir.h"
+#include "compiler/lowering/lowering.h"
 #include "compiler/structured_source.h"
 
 namespace oncard::compiler::lowering {
@@ -14,10 +15,10 @@ struct PrintedProgram {
   std::string text;
   /// Where each line of the text (from 1, so [0] is line 1) comes from; file -1: from nowhere.
   std::vector<SourceRange> origins;
+  std::vector<StatementOfC> statements;  ///< as in Lowering
 };
 
-/// `annotate` marks the statements of C that read and write a global in different statements of the
-/// card.
-PrintedProgram Print(const Program& program, const StructuredSource& source, bool annotate);
+PrintedProgram Print(const Program& program, const StructuredSource& source,
+                     const LoweringOptions& options);
 
 }  // namespace oncard::compiler::lowering
