@@ -1,8 +1,10 @@
 // oncard lower: structured C in, the card's language out.
 #include "compiler/diagnostic_printer.h"
 #include "compiler/lowering/lowering.h"
+#include "compiler/lowering/two_columns.h"
 #include "tools/commands.h"
 #include "tools/compile_arguments.h"
+#include "tools/terminal.h"
 
 namespace oncard::tools {
 namespace {
@@ -12,6 +14,8 @@ struct LowerOptions {
   std::string output;
   compiler::LoweringOptions lowering;
   bool cost = false;
+  bool diff = false;
+  int width = 0;  // 0: that of the terminal
   CompileArguments compile;
   std::string diagnostics = "text";
 };
@@ -63,25 +67,49 @@ std::string CostTable(const compiler::Lowering& lowering, const Invocation& invo
                                                         lowering.global_slots)));
 }
 
+// What the command writes; nothing if there is an error.
+std::string Shown(const compiler::Lowering& lowering, const LowerOptions& options,
+                  const Invocation& invocation) {
+  if (!lowering.text) return {};
+  if (!options.diff) return *lowering.text;
+  const bool to_file = !options.output.empty();
+  compiler::TwoColumnsOptions columns;
+  if (options.width > 0) {
+    columns.width = options.width;
+  } else if (const int width = to_file ? 0 : OutputWidth(); width > 0) {
+    columns.width = width;
+  }
+  columns.color = invocation.color && !to_file;
+  return compiler::FormatTwoColumns(lowering, columns);
+}
+
 int Lower(const LowerOptions& options, const Invocation& invocation) {
   if (!options.output.empty() && options.output == options.source) {
     return Fail(invocation, kExitUsage,
                 MakeMessage("the output '{0}' is the source: give it another name",
                             "输出“{0}”就是源文件：请换一个名称", options.output));
   }
+  if (options.width > 0 && !options.diff) {
+    return Fail(invocation, kExitUsage,
+                MakeMessage("--width sets the columns of --diff: add --diff, or leave it out",
+                            "--width 设置 --diff 的列数：请加上 --diff，或去掉它"));
+  }
+  compiler::LoweringOptions how = options.lowering;
+  how.comments = !options.diff;
   Result<std::string> text = compiler::ReadSource(options.source);
   if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
   compiler::Lowering lowering =
-      compiler::LowerText(options.source, std::move(text).value(), OptionsOf(options.compile),
-                          options.lowering, compiler::ReadSource);
+      compiler::LowerText(options.source, std::move(text).value(), OptionsOf(options.compile), how,
+                          compiler::ReadSource);
+  const std::string output = Shown(lowering, options, invocation);
   const compiler::Compilation report = compiler::TakeCompilation(lowering);
   const compiler::PrintOptions print = {invocation.language, invocation.color};
   PrintDiagnostics(options.diagnostics == "json" ? compiler::PrintJson(report, print)
                                                  : compiler::PrintText(report, print));
   if (!lowering.text) return kExitFailed;
   if (options.cost) PrintDiagnostics(CostTable(lowering, invocation));
-  if (!options.output.empty()) return WriteOutput(invocation, options.output, *lowering.text);
-  PrintResult(*lowering.text);
+  if (!options.output.empty()) return WriteOutput(invocation, options.output, output);
+  PrintResult(output);
   return kExitOk;
 }
 
@@ -103,6 +131,17 @@ void AddLower(CLI::App& app, Invocation& invocation) {
                    invocation.Say({"file of the lowered program (default: standard output)",
                                    "转换结果的文件（默认：标准输出）"}))
       ->type_name("FILE");
+  command->add_flag(
+      "--diff", options->diff,
+      invocation.Say({"show C beside the lowered program, each statement in the rows of those that "
+                      "it became",
+                      "并排显示 C 与转换结果，每条 C 语句位于由它得到的各条语句所在的行"}));
+  command
+      ->add_option("--width", options->width,
+                   invocation.Say({"columns of --diff (default: those of the terminal, or 120)",
+                                   "--diff 的列数（默认：终端的列数，或 120）"}))
+      ->check(CLI::Range(compiler::kTwoColumnsMin, compiler::kTwoColumnsMax).description(""))
+      ->type_name("N");
   command->add_flag(
       "--annotate", options->lowering.annotate,
       invocation.Say({"mark statements of C that read and write a global in different "

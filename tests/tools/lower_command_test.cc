@@ -112,6 +112,35 @@ TEST(Lower, SaysWhichTablesAreInThePage) {
   EXPECT_THAT(result.err, HasSubstr("t0: the constants of table are in its page\n"));
 }
 
+// The rows are tested by tests/compiler/two_columns_test.cc.
+TEST(Lower, ShowsCBesideTheLoweredProgram) {
+  const std::string sample = std::string(ONCARD_SOURCE_DIR) + "/samples/02_loops/structured.c";
+  ExpectGolden("lower_diff.txt", RunOncard({"lower", "--diff", "--width=90", sample}).out);
+  // A pipe has no width.
+  const ScratchFolder scratch;
+  const std::string wide = RunOncard({"lower", "--diff", sample}).out;
+  EXPECT_EQ(wide, RunOncard({"lower", "--diff", "--width=120", sample}).out);
+  RunOncard({"lower", "--diff", sample, "-o", scratch.path() + "/rows.txt"});
+  EXPECT_EQ(scratch.Read("rows.txt"), wide);
+  EXPECT_THAT(RunOncard({"lower", "--diff", "--color=always", sample}).out,
+              HasSubstr("\x1b[2m 5\x1b[0m  int test_first(void)"));
+}
+
+TEST(Lower, RefusesAWidthThatIsOfNoUse) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoops);
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--diff", "--width=39"},
+                                                {"--diff", "--width=1001"},
+                                                {"--width=80"}}) {
+    std::vector<std::string> arguments = {"lower", source};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    const ProcessResult result = RunOncard(arguments);
+    EXPECT_EQ(result.exit_code, 2) << wrong.back();
+    EXPECT_THAT(result.err, HasSubstr("--width")) << wrong.back();
+    EXPECT_EQ(result.out, "");
+  }
+}
+
 TEST(Lower, IsExplained) {
   for (const char* language : {"--lang=en", "--lang=zh"}) {
     const ProcessResult page = RunOncard({language, "explain", "structured"});
