@@ -35,7 +35,7 @@ void RecognizeStructured(const std::string& text, const Options& options, const 
   const std::string& path = compilation->files[0].path();
   Options lenient = options;
   lenient.warnings_are_errors = false;
-  const Lowering lowering = LowerText(path, text, lenient, {}, reader);
+  const Lowering lowering = LowerText(path, text, lenient, {.comments = false}, reader);
   if (std::any_of(lowering.diagnostics.begin(), lowering.diagnostics.end(), IsError)) return;
   Reporter reporter;
   const SourceRange place = std::find_if(found.begin(), found.end(), IsError)->range;
@@ -77,7 +77,8 @@ Compilation CompileText(const std::string& path, std::string text, const Options
     LimitErrors(compilation.diagnostics, options.max_errors);
     return compilation;
   }
-  Lowering lowering = LowerText(path, std::move(text), options, {}, reader);
+  // Nobody reads the text.
+  Lowering lowering = LowerText(path, std::move(text), options, {.comments = false}, reader);
   return TakeCompilation(lowering);
 }
 

@@ -338,6 +338,25 @@ TEST(Lowering, LinesKnowWhereTheyComeFrom) {
 }
 
 // The explorer reads a program's requirements from such lines, wherever they stand.
+// The lowered text has as many lines as the card's language can name; comments would be more.
+TEST(Lowering, FortyThousandStatementsHaveTheirLines) {
+  constexpr int kFunctions = 4;
+  constexpr int kStatements = 10'000;
+  std::string program = "//@ structured\nint v;\n";
+  for (int f = 0; f < kFunctions; ++f) {
+    program += fmt::format("void f{}() {{\n", f) + Times(kStatements, "  v++; // more\n") + "}\n";
+  }
+  const Compilation compilation = CompileText("p.c", program, {}, NoFiles());
+  ASSERT_TRUE(compilation.ok());
+  for (int f = 0; f < kFunctions; ++f) {
+    const vm::Function& function = compilation.object->functions[static_cast<size_t>(f)];
+    const int first = 4 + f * (kStatements + 2);
+    for (int i = 0; i < kStatements; ++i) {
+      ASSERT_EQ(function.lines[static_cast<size_t>(i)], first + i) << function.name;
+    }
+  }
+}
+
 TEST(Lowering, CommentsForToolsAreKept) {
   const Lowering lowering = Lower(
       "//@ structured\n//@ init: v=1\r\n// about v\nint v;\nvoid t0() {\n  /*\n"
