@@ -109,6 +109,7 @@ class ParserDriver {
   bool ReportUntranslatable(bool operand);
   bool ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects);
   const Token* UntypedFunction() const;
+  bool IsAfterPointer() const;
   bool AfterUntypedParameters() const;
   void ReportOldStyle(size_t end);
 
@@ -163,6 +164,8 @@ StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr la
                       SourceRange range);
 TypeNamePtr MakeTypeName(Specifiers specifiers, bool pointer, std::vector<ExpressionPtr> sizes,
                          SourceRange range);
+/// The parameter `(*name)[4]`, as `name[][4]`; without a size, as `*name`. The name may be absent.
+Declarator MakeRows(const Token* name, std::vector<ExpressionPtr> sizes, SourceRange range);
 std::vector<ExpressionPtr> PutFirst(ExpressionPtr first, std::vector<ExpressionPtr> others);
 ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range);
 ExpressionPtr MakeLiteral(const Token* token, SourceRange range);

@@ -99,6 +99,19 @@ void ParserDriver::ReportOldStyle(size_t end) {
   if (tokens_[open].range.file == written.file) Replace(diagnostic, written, head + ')');
 }
 
+// Whether the last token follows `int (*name)` or `int *`.
+bool ParserDriver::IsAfterPointer() const {
+  constexpr size_t kLongest = 6;  // `int (*const name)`
+  if (next_ <= kLongest) return false;
+  size_t i = next_ - 2;
+  if (tokens_[i].kind == Kind::kStar) return IsTypeWord(tokens_[i - 1].kind);
+  if (tokens_[i--].kind != Kind::kCloseParen) return false;
+  if (tokens_[i].kind == Kind::kName) --i;
+  if (tokens_[i].kind == Kind::kConst) --i;
+  return tokens_[i].kind == Kind::kStar && tokens_[i - 1].kind == Kind::kOpenParen &&
+         IsTypeWord(tokens_[i - 2].kind);
+}
+
 // A syntax error that is a construct of C which structured C leaves out: reports the reason.
 bool ParserDriver::ReportUntranslatable(bool operand) {
   const Token& found = *last_;
@@ -116,7 +129,7 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
                       "标号没有地址；请用 'switch' 选择");
   } else if (found.kind == Kind::kEllipsis && !operand) {
     why = MakeMessage("a function has a fixed number of parameters", "函数的参数个数是固定的");
-  } else if (found.kind == Kind::kOpenParen && IsTypeWord(before)) {
+  } else if (found.kind == Kind::kOpenParen && (IsTypeWord(before) || IsAfterPointer())) {
     word = "(*)";
     why = MakeMessage("there are no pointers; call functions by name, and name arrays",
                       "没有指针；请用名称调用函数和使用数组");

@@ -424,6 +424,21 @@ ExpressionPtr MakeDesignator(const Token* name, SourceRange range) {
   return designator;
 }
 
+Declarator MakeRows(const Token* name, std::vector<ExpressionPtr> sizes, SourceRange range) {
+  Declarator rows;
+  if (name != nullptr) {
+    rows.name = name->text;
+    rows.name_range = name->range;
+  }
+  rows.range = rows.head = range;
+  if (sizes.empty()) {
+    rows.pointer = 1;
+  } else {
+    rows.sizes = PutFirst(nullptr, std::move(sizes));
+  }
+  return rows;
+}
+
 std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,
                                        std::vector<ParameterDeclaration> parameters,
                                        SourceRange range) {

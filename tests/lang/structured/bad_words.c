@@ -11,6 +11,7 @@ int (*callback)(int); // expect error MP206
 int print(int format, ...); // expect error MP206
 _Static_assert(sizeof(int) == 4); // expect error MP206
 void f(int (*each)(int)); // expect error MP206
+void g(int *(*rows)[4]); // expect error MP206
 struct Flags { unsigned low : 4; } flags; // expect error MP206
 int g(enum { kA } a); // expect error MP206
 enum { kB } h(int a); // expect error MP206
