@@ -1,10 +1,12 @@
 // The extension in the editor itself: what a programmer sees and does.
 
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 import { expect, type Locator, type Page, test } from "@playwright/test";
 
 const work = fileURLToPath(new URL("../dist/e2e-editor/work", import.meta.url));
+const search = fileURLToPath(new URL("node_modules/@vscode/ripgrep/bin/rg", import.meta.url));
 
 /** Puts the cursor at the end of a line. */
 async function goToLine(page: Page, line: number): Promise<void> {
@@ -85,5 +87,34 @@ test("a program is mended, run, and debugged forward and back", async ({ page })
     await expectStop(page, "sum = sum + i;");
     await page.getByRole("button", { name: /^Stop/ }).click();
     await expect(page.locator(".debug-top-stack-frame-line")).toHaveCount(0);
+  });
+});
+
+test("the scenarios of a folder are tests", async ({ page }) => {
+  test.skip(!existsSync(search), "the editor finds no files without ripgrep: install ripgrep");
+  const rows = page.locator(".test-explorer .monaco-list-row");
+  const row = (name: string) => rows.filter({ hasText: name });
+  await page.goto(`./?folder=${work}`);
+  await page.getByRole("tab", { name: "Testing" }).click();
+
+  await test.step("they are found without opening one", async () => {
+    for (const name of ["one_after_the_other", "one_thread", "two_threads"]) {
+      await expect(row(`${name}.toml`)).toHaveCount(1);
+    }
+  });
+
+  await test.step("they pass", async () => {
+    await page.getByRole("button", { name: "Run Tests", exact: true }).click();
+    await expect(rows.locator(".codicon-testing-passed-icon")).toHaveCount(3);
+  });
+
+  await test.step("one whose values are others fails", async () => {
+    const scenario = `${work}/two_threads.toml`;
+    const text = readFileSync(scenario, "utf8");
+    expect(text).toContain("5050");
+    writeFileSync(scenario, text.replaceAll("5050", "5051"));
+    await page.getByRole("button", { name: "Run Tests", exact: true }).click();
+    await expect(row("two_threads.toml").locator(".codicon-testing-failed-icon")).toHaveCount(1);
+    await expect(row("one_thread.toml").locator(".codicon-testing-passed-icon")).toHaveCount(1);
   });
 });

@@ -5,7 +5,7 @@
 
 import { spawn, spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { delimiter, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const [vsix, port, folder] = process.argv.slice(2);
@@ -37,6 +37,17 @@ const substitutes = {
 for (const [name, text] of Object.entries(substitutes)) {
   mkdirSync(join(modules, name), { recursive: true });
   writeFileSync(join(modules, name, "index.js"), text);
+}
+// The editor searches for files with ripgrep. Its package would fetch the program when it is installed;
+// that of the system does as well.
+const search = join(modules, "@vscode/ripgrep/bin/rg");
+const found = (process.env["PATH"] ?? "")
+  .split(delimiter)
+  .map((path) => join(path, "rg"))
+  .find((path) => existsSync(path));
+if (found && !existsSync(search)) {
+  mkdirSync(dirname(search), { recursive: true });
+  symlinkSync(found, search);
 }
 // The pages of the editor look for their modules in its own folder.
 if (!existsSync(join(editor, "node_modules"))) symlinkSync(modules, join(editor, "node_modules"));
