@@ -100,8 +100,9 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
     out_->instances.push_back({-1, 0, body->id});
     EmitCopy(body->number, IntOperand(0), call.range);
     if (recursive) recursive_calls_[number].jump = out_->code.size() - 1;
-    EmitLabel(body->begin, call.range);
+    // All calls lead there: for each of them it is outside of the block that calls.
     const int outside = std::exchange(instance_, body->instance);
+    EmitLabel(body->begin, call.range);
     LowerBodyOf(call, info, std::move(scope), {body->id, body->end, body->result});
     instance_ = outside;
   }

@@ -14,6 +14,8 @@
 namespace oncard::compiler {
 namespace {
 
+using testing::AnyOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -91,6 +93,33 @@ TEST(Slots, ArraysThatBothHaveValuesDoNotShare) {
   ExpectTooMany(
       ThreadFunction("int a[600], b[600]; while (g < 9) { g += a[g & 511] + b[g & 511]; " +
                      Uses("a") + Uses("b") + " }"));
+}
+
+TEST(Slots, WhatTheHostWritesIsKept) {
+  const Lowering lowering = LowerSlots(
+      "int g;\nvoid t0() {\n  int go, other, list[4], more[4];\n  g = 1;\n  other = g * g;\n"
+      "  more[g] = other;\n  g = more[0];\n  while (go < 9 + list[2]) g += go;\n}\n",
+      {.slots = 0});
+  ASSERT_TRUE(lowering.object.has_value());
+  EXPECT_THAT(SharedIn(lowering), IsEmpty());
+}
+
+// A function whose calls are jumps stands where its first call is; the arrays of the others live
+// on.
+TEST(Slots, ArraysOfCallersLiveThroughCallsThatAreJumps) {
+  const auto uses = [](const std::string& name) {
+    return fmt::format("for (i = 0; i < 300; i++) {0}[i] = i + g; g += {0}[g & 255];", name);
+  };
+  const std::string program =
+      "int g;\nstatic void f(int n) {\n  int i, own[300];\n  " + uses("own") +
+      " if (g > n) g -= n; g ^= n;\n}\n"
+      "void t0() {\n  int i, all[300];\n  " +
+      uses("all") + "\n  f(1);\n  { int block[300], other[300]; " + uses("block") + uses("other") +
+      " f(2); f(3); g += block[g & 255] + other[g & 255]; }\n  g += all[g & 255];\n}\n";
+  const Lowering lowering = LowerSlots(program);
+  ASSERT_EQ(lowering.costs.at(0).jumps.size(), 1u);
+  EXPECT_THAT(SharedIn(lowering), Not(Contains(AnyOf("block", "other", "f_own"))));
+  EXPECT_FALSE(lowering.object.has_value());
 }
 
 // An index is checked against the size of its own array.

@@ -9,6 +9,9 @@
 //
 // nothing of `a` is left when the loop goes on. What copies have moved are numbers, never arrays,
 // so these are used in the instances of their blocks only.
+//
+// A number that is read before it is written, or an array that is never written, has its value from
+// the host, and lives from the beginning.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -65,6 +68,8 @@ class SlotSharing {
 
  private:
   const Variable& At(int number) const { return program_.variables[static_cast<size_t>(number)]; }
+
+  bool IsNumber(size_t candidate) const { return IsLocalNumber(program_, candidates_[candidate]); }
 
   template <typename Visitor>
   void ForEachUse(const Instruction& instruction, const Visitor& visit) const {
@@ -140,9 +145,7 @@ class SlotSharing {
     }
     Variables lost(candidates_.size());
     for (size_t i = 0; i < candidates_.size(); ++i) {
-      const Variable& variable = At(candidates_[i]);
-      const bool number = variable.size == 0 && variable.structure == nullptr;
-      if (!number && left.contains(variable.block)) lost.Add(i);
+      if (!IsNumber(i) && left.contains(At(candidates_[i]).block)) lost.Add(i);
     }
     return &lost_.emplace(common, std::move(lost)).first->second;
   }
@@ -174,10 +177,17 @@ class SlotSharing {
         changed |= before[i].Add(needed);
       }
     }
+    Variables ever_written = none;
     for (size_t i = 0; i < code_.size(); ++i) {
-      ForEachUse(code_[i], [this, i](size_t candidate, bool /*read*/, bool written) {
-        if (written) written_[i].Add(candidate);
+      ForEachUse(code_[i], [&](size_t candidate, bool /*read*/, bool written) {
+        if (!written) return;
+        written_[i].Add(candidate);
+        ever_written.Add(candidate);
       });
+    }
+    for (size_t i = 0; i < candidates_.size(); ++i) {
+      const bool set_by_host = IsNumber(i) || !ever_written.Contains(i);
+      if (set_by_host && before[0].Contains(i)) written_[0].Add(i);
     }
     for (bool changed = true; changed;) {
       changed = false;
