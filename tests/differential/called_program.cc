@@ -115,7 +115,12 @@ class Generator : RandomChoices {
       }
     }
     const std::string inner = indent + "  ";
-    switch (Between(0, 2)) {
+    switch (Between(0, 3)) {
+      case 3:  // arrays that wait for what is in between
+        return fmt::format(
+            "{0}{{\n{1}int k[4], l[4];\n{1}for (int i = 0; i < 4; i++) k[i] = {2}, l[i] = i ^ x;\n"
+            "{3}{1}{4} += k[x & 3] - l[y & 3];\n{0}}}\n",
+            indent, inner, Value(1), Statement(depth - 1, inner), target);
       case 0:
         return fmt::format("{0}if ({1}) {{\n{2}{3}{0}}} else {{\n{4}{0}}}\n", indent, Value(2),
                            Statement(depth - 1, inner), Statement(depth - 1, inner),
