@@ -1,6 +1,6 @@
 #include "compiler/lowering/printer.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -161,12 +161,10 @@ class Printer {
 
   void PrintSharedSlots(const LoweredFunction& function) {
     for (const SharedSlots& shared : function.shared_slots) {
-      std::string others;
-      for (const int other : shared.others) {
-        others += (others.empty() ? "" : ", ") + VariableAt(other).name;
-      }
+      std::vector<std::string_view> others;
+      for (const int other : shared.others) others.push_back(VariableAt(other).name);
       Line(fmt::format("  // {} is {}, too: their lives do not overlap",
-                       VariableAt(shared.owner).name, others),
+                       VariableAt(shared.owner).name, fmt::join(others, ", ")),
            function.header);
     }
   }
