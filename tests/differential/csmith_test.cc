@@ -1,7 +1,6 @@
 // Programs of csmith that the card can have must compute with oncard what they compute when
 // compiled by gcc, plainly, optimised and with its sanitizer for undefined behaviour.
 // ONCARD_CSMITH_PROGRAMS=2000 tests so many instead of the default number.
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "csmith_program.h"
 #include "machine_run.h"
 #include "oracle.h"
+#include "structured_run.h"
 #include "tests/base/random_cases.h"
 #include "tests/compiler/memory_files.h"
 
@@ -54,22 +54,9 @@ struct Accepted {
 
 // The result of a program; none if it does not end within so many statements.
 std::optional<int64_t> RunMain(const vm::Object& object, int64_t statements) {
-  NoCommands commands;
-  vm::Machine machine(&commands);
-  auto image = vm::LinkObject(object, commands);
-  EXPECT_TRUE(image.ok());
-  machine.Load(std::move(image).value());
-  machine.Bind(0, 1, 0);
-  machine.Run(0);
-  machine.Execute(statements);
-  if (!machine.Quiet()) return std::nullopt;
-  EXPECT_EQ(machine.thread(0).error, 0) << "fault";
-  const vm::Symbol* symbol = vm::FindGlobal(*machine.image(), std::string(kCsmithResult));
-  vm::SlotAddress slot;
-  slot.global = true;
-  slot.id = symbol->id;
-  slot.type = symbol->type;
-  return static_cast<uint32_t>(machine.ReadRaw(slot));
+  const Values values = RunFirstFunction(object, {std::string(kCsmithResult)}, statements);
+  if (values.empty()) return std::nullopt;
+  return static_cast<uint32_t>(values[1]);
 }
 
 class CsmithTest : public testing::Test {

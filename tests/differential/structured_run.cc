@@ -30,6 +30,11 @@ std::string StructuredOracleText(const std::vector<StructuredProgram>& programs)
 }
 
 Values RunStructured(const StructuredProgram& program, const vm::Object& object) {
+  return RunFirstFunction(object, program.globals, kEndless);
+}
+
+Values RunFirstFunction(const vm::Object& object, const std::vector<std::string>& globals,
+                        int64_t statements) {
   NoCommands commands;
   vm::Machine machine(&commands);
   auto image = vm::LinkObject(object, commands);
@@ -37,11 +42,11 @@ Values RunStructured(const StructuredProgram& program, const vm::Object& object)
   machine.Load(std::move(image).value());
   machine.Bind(0, 1, 0);
   machine.Run(0);
-  machine.Execute(kEndless);
+  machine.Execute(statements);
   if (!machine.Quiet()) return {};
   EXPECT_EQ(machine.thread(0).error, 0) << "fault";
   Values values = {machine.thread(0).result};
-  for (const std::string& name : program.globals) {
+  for (const std::string& name : globals) {
     const size_t bracket = name.find('[');
     const vm::Symbol* symbol = vm::FindGlobal(*machine.image(), name.substr(0, bracket));
     const int element = bracket == std::string::npos ? 0 : name[bracket + 1] - '0';

@@ -18,6 +18,11 @@ std::string StructuredOracleText(const std::vector<StructuredProgram>& programs)
 /// The same values from a run of the program's object; empty if it does not end.
 Values RunStructured(const StructuredProgram& program, const vm::Object& object);
 
+/// What the first function of an object returns, and globals after it (StructuredProgram::globals);
+/// empty if it does not end within so many statements.
+Values RunFirstFunction(const vm::Object& object, const std::vector<std::string>& globals,
+                        int64_t statements);
+
 /// How often a run of the program reads and writes globals.
 int64_t CountGlobalAccesses(const vm::Object& object);
 
