@@ -3,6 +3,7 @@
 import type { Description } from "@oncard/engine";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
+import { Tabs } from "../controls/tabs.js";
 import { Dialog } from "../panel/dialog.js";
 import { htmlOf } from "../lesson/markdown.js";
 import { bench, present, session } from "../session/bench.js";
@@ -82,21 +83,13 @@ function ProgramBar() {
   const { programs, open } = source.shelf.value;
   return (
     <div class="bar">
-      <div class="tabs" role="group" aria-label={t.files}>
-        {Object.keys(source.files.value).map((name) => (
-          <button
-            key={name}
-            type="button"
-            class="tab"
-            aria-pressed={name === source.file.value}
-            onClick={() => {
-              showFile(name);
-            }}
-          >
-            {name}
-          </button>
-        ))}
-      </div>
+      <Tabs
+        label={t.files}
+        values={Object.keys(source.files.value)}
+        chosen={source.file.value}
+        nameOf={(name) => name}
+        onChoose={showFile}
+      />
       {source.lesson.value.structured && <span class="tag">{t.structured}</span>}
       <div class="row end grow">
         {programs.length > 1 && (

@@ -3,6 +3,7 @@
 import type { Interleaving } from "@oncard/engine";
 import { useState } from "preact/hooks";
 
+import { Tabs } from "../controls/tabs.js";
 import { present } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
 import { failingRun, goToStep, useStepsOnCard } from "./failing_run.js";
@@ -34,21 +35,13 @@ export function InterleavingPanel() {
           )}
         </div>
         {orders && (
-          <div class="tabs" role="group" aria-label={t.orders}>
-            {[false, true].map((both) => (
-              <button
-                key={String(both)}
-                type="button"
-                class="tab"
-                aria-pressed={isBoth === both}
-                onClick={() => {
-                  setBoth(both);
-                }}
-              >
-                {both ? t.bothOrders : t.thisOrder}
-              </button>
-            ))}
-          </div>
+          <Tabs
+            label={t.orders}
+            values={[false, true]}
+            chosen={isBoth}
+            nameOf={(both) => (both ? t.bothOrders : t.thisOrder)}
+            onChoose={setBoth}
+          />
         )}
       </header>
       {orders && isBoth ? (

@@ -3,6 +3,7 @@
 import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
+import { Tabs } from "../controls/tabs.js";
 import { bench, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
 import { layout, showLine, showTab, tabs } from "../store/layout.js";
@@ -18,21 +19,13 @@ export function ValuesPanel() {
   }, [wishes]);
   return (
     <div class="values-panel">
-      <div class="tabs" role="group" aria-label={t.label}>
-        {tabs.map((each) => (
-          <button
-            key={each}
-            type="button"
-            class="tab"
-            aria-pressed={each === tab.value}
-            onClick={() => {
-              showTab(each);
-            }}
-          >
-            {t.tabs[each]}
-          </button>
-        ))}
-      </div>
+      <Tabs
+        label={t.label}
+        values={tabs}
+        chosen={tab.value}
+        nameOf={(each) => t.tabs[each]}
+        onChoose={showTab}
+      />
       <div class="scroll" ref={list} tabIndex={0} role="group" aria-label={t.tabs[tab.value]}>
         {!present.state.value ? (
           <p class="muted empty">{t.idle}</p>

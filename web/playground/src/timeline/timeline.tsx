@@ -2,19 +2,18 @@
 // dragged.
 
 import type { Thread, Turn } from "@oncard/engine";
-import { layoutOf } from "@oncard/lessons";
 import { effect, signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
+import { Tabs } from "../controls/tabs.js";
+import { namedLayout } from "../frame/current.js";
 import { rowOf, touchesShared } from "../interleaving/cells.js";
 import { failingRun, isOnCard, useStepsOnCard } from "../interleaving/failing_run.js";
 import { type Executed, executedAt } from "../interleaving/moments.js";
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
-import { record } from "../session/record.js";
 import { seek } from "../session/seeking.js";
 import { chooseUnit, settings, type Unit, units } from "../store/settings.js";
-import { source } from "../store/source.js";
 import { number, texts } from "../texts/texts.js";
 import {
   type Bar,
@@ -65,7 +64,15 @@ export function TimelinePanel() {
       <div class="bar">
         {state.threads.length > mostHighRows && <ChosenThread threads={state.threads} />}
         <div class="row end grow">
-          {!isOnCard.value && <UnitChoice />}
+          {!isOnCard.value && (
+            <Tabs
+              label={t.unit}
+              values={units}
+              chosen={unitNow()}
+              nameOf={(unit) => t.units[unit]}
+              onChoose={chooseUnit}
+            />
+          )}
           <Zoom shown={shown} factor={0.5} label={t.zoomIn} text="+" />
           <Zoom shown={shown} factor={2} label={t.zoomOut} text="−" />
           <button
@@ -86,30 +93,9 @@ export function TimelinePanel() {
 
 /** The unit that the reader has chosen; otherwise that of what the lesson is about. */
 function unitNow(): Unit {
-  const layout = record.value ? undefined : layoutOf(source.lesson.value);
+  const { value: layout } = namedLayout;
   const isOfStatements = layout === "language" || layout === "threads";
   return settings.unit.value ?? (isOfStatements ? "moments" : "ms");
-}
-
-function UnitChoice() {
-  const { timeline: t } = texts.value;
-  return (
-    <div class="tabs" role="group" aria-label={t.unit}>
-      {units.map((each) => (
-        <button
-          key={each}
-          type="button"
-          class="tab"
-          aria-pressed={each === unitNow()}
-          onClick={() => {
-            chooseUnit(each);
-          }}
-        >
-          {t.units[each]}
-        </button>
-      ))}
-    </div>
-  );
 }
 
 /** So many turns say what the time is where not all of them are asked for, each found in so many moments. */
