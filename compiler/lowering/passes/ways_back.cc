@@ -3,6 +3,7 @@
 // a loop that is never entered must not keep itself alive through the body, so a way back is
 // followed only when its call has been reached.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -11,24 +12,48 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-bool Compares(const Instruction& instruction, int number) {
-  return instruction.kind == Instruction::Kind::kBinary &&
-         instruction.binary == vm::BinaryOperator::kEqual && instruction.a.IsVariable() &&
-         instruction.a.variable == number && instruction.b.IsConstant();
-}
+// The shared bodies of a function, by the variables that say which call it is.
+class Bodies {
+ public:
+  explicit Bodies(const LoweredFunction& function) {
+    for (const SharedCalls& calls : function.calls) bodies_.emplace(calls.number, bodies_.size());
+  }
 
-// A recursive call that ends gives the number back what another statement has assigned.
-bool Assigns(const Instruction& instruction, int number) {
-  return instruction.target.IsVariable() && instruction.target.variable == number &&
-         instruction.a.IsConstant();
-}
+  // The body with whose number an instruction compares.
+  std::optional<size_t> Compared(const Instruction& instruction) const {
+    if (instruction.kind != Instruction::Kind::kBinary ||
+        instruction.binary != vm::BinaryOperator::kEqual || !instruction.b.IsConstant()) {
+      return std::nullopt;
+    }
+    return Find(instruction.a);
+  }
+
+  // The body whose number an instruction sets. A recursive call that ends gives the number back
+  // what another statement has assigned.
+  std::optional<size_t> Assigned(const Instruction& instruction) const {
+    return instruction.a.IsConstant() ? Find(instruction.target) : std::nullopt;
+  }
+
+ private:
+  std::optional<size_t> Find(const Operand& number) const {
+    if (!number.IsVariable()) return std::nullopt;
+    const auto found = bodies_.find(number.variable);
+    return found != bodies_.end() ? std::optional(found->second) : std::nullopt;
+  }
+
+  std::unordered_map<int, size_t> bodies_;
+};
 
 // The calls of each shared body that a path reaches, by their numbers.
 class ReachedCalls {
  public:
-  explicit ReachedCalls(const LoweredFunction& function)
-      : code_(function.code), positions_(LabelPositions(function)), reached_(code_.size()) {
-    for (const SharedCalls& calls : function.calls) FindTests(calls.number);
+  ReachedCalls(const Bodies& by_number, const LoweredFunction& function)
+      : by_number_(by_number),
+        code_(function.code),
+        positions_(LabelPositions(function)),
+        reached_(code_.size()),
+        bodies_(function.calls.size()) {
+    FindTests();
     open_.push_back(0);
     while (!open_.empty()) {
       const size_t next = open_.back();
@@ -47,23 +72,18 @@ class ReachedCalls {
     bool seen = false;
   };
   struct Body {
-    int number = -1;
     std::vector<Test> tests;  // in their order
     std::set<int64_t> reached;
     size_t last = 0;  // tests before this one can be passed
   };
 
-  void FindTests(int number) {
-    Body& body = bodies_.emplace_back();
-    body.number = number;
+  void FindTests() {
     for (size_t i = 0; i + 1 < code_.size(); ++i) {
+      const auto body = by_number_.Compared(code_[i]);
       const Instruction& jump = code_[i + 1];
-      if (!Compares(code_[i], number) || jump.kind != Instruction::Kind::kIf ||
-          jump.a != code_[i].target) {
-        continue;
-      }
-      test_at_.emplace(i + 1, std::pair(bodies_.size() - 1, body.tests.size()));
-      body.tests.push_back({code_[i].b.value, i + 1});
+      if (!body || jump.kind != Instruction::Kind::kIf || jump.a != code_[i].target) continue;
+      test_at_.emplace(i + 1, std::pair(*body, bodies_[*body].tests.size()));
+      bodies_[*body].tests.push_back({code_[i].b.value, i + 1});
     }
   }
 
@@ -72,8 +92,8 @@ class ReachedCalls {
       reached_[i] = true;
       const Instruction& instruction = code_[i];
       if (instruction.kind == Instruction::Kind::kReturn) return;
-      for (Body& body : bodies_) {
-        if (Assigns(instruction, body.number)) Reach(body, instruction.a.value);
+      if (const auto body = by_number_.Assigned(instruction)) {
+        Reach(bodies_[*body], instruction.a.value);
       }
       const auto test = test_at_.find(i);
       if (test != test_at_.end()) {
@@ -108,6 +128,7 @@ class ReachedCalls {
     if (t < body.last) open_.push_back(test.jump + 1);
   }
 
+  const Bodies& by_number_;
   const std::vector<Instruction>& code_;
   const std::vector<int> positions_;
   std::vector<bool> reached_;
@@ -120,36 +141,37 @@ class ReachedCalls {
 
 bool DecideWaysBack(LoweredFunction& function) {
   if (function.calls.empty()) return false;
-  const ReachedCalls reached(function);
+  const Bodies bodies(function);
+  const ReachedCalls reached(bodies, function);
+  std::vector<std::set<int64_t>> rest;
+  for (size_t body = 0; body < function.calls.size(); ++body) rest.push_back(reached.Of(body));
   bool changed = false;
-  for (size_t body = 0; body < function.calls.size(); ++body) {
-    const int number = function.calls[body].number;
-    std::set<int64_t> rest = reached.Of(body);
-    for (Instruction& instruction : function.code) {
-      if (!Compares(instruction, number)) continue;
-      const bool here = rest.erase(instruction.b.value) > 0;
-      if (here && !rest.empty()) continue;
-      MakeCopy(instruction, IntOperand(here ? 1 : 0));
-      changed = true;
-    }
+  for (Instruction& instruction : function.code) {
+    const auto body = bodies.Compared(instruction);
+    if (!body) continue;
+    const bool here = rest[*body].erase(instruction.b.value) > 0;
+    if (here && !rest[*body].empty()) continue;
+    MakeCopy(instruction, IntOperand(here ? 1 : 0));
+    changed = true;
   }
   return changed;
 }
 
 bool ShortenWaysBack(LoweredFunction& function) {
+  const Bodies bodies(function);
+  std::vector<std::set<int64_t>> rest(function.calls.size());
+  for (const Instruction& instruction : function.code) {
+    if (const auto body = bodies.Assigned(instruction)) rest[*body].insert(instruction.a.value);
+  }
   bool changed = false;
-  for (const SharedCalls& calls : function.calls) {
-    std::set<int64_t> rest;
-    for (const Instruction& instruction : function.code) {
-      if (Assigns(instruction, calls.number)) rest.insert(instruction.a.value);
-    }
-    for (Instruction& instruction : function.code) {
-      if (!Compares(instruction, calls.number)) continue;
-      rest.erase(instruction.b.value);
-      if (rest.size() != 1 || *rest.begin() != 0) continue;
-      MakeCopy(instruction, instruction.a);
-      changed = true;
-    }
+  for (Instruction& instruction : function.code) {
+    const auto body = bodies.Compared(instruction);
+    if (!body) continue;
+    std::set<int64_t>& others = rest[*body];
+    others.erase(instruction.b.value);
+    if (others.size() != 1 || *others.begin() != 0) continue;
+    MakeCopy(instruction, instruction.a);
+    changed = true;
   }
   return changed;
 }
