@@ -1,28 +1,40 @@
 // Copies of constants and locals: their readers read the source instead. Copies of globals stay:
 // reading the global later, or twice, would be another program when other threads write it.
 #include <algorithm>
+#include <utility>
 
 #include "compiler/lowering/passes/passes.h"
+#include "vm/arithmetic.h"
 
 namespace oncard::compiler::lowering {
 namespace {
 
+// Follows a function once from its begin. A condition that becomes constant on the way decides at
+// once which statements are reached, so that what is known outlives all branches that are decided.
 class Copies {
  public:
-  Copies(const Program& program, LoweredFunction& function)
-      : program_(program), function_(function), known_(program.variables.size()) {}
+  Copies(const Program& program, LoweredFunction& function, vm::DoubleFormat format)
+      : program_(program),
+        function_(function),
+        wrap_shift_(vm::WrapShift(format)),
+        known_(program.variables.size()),
+        ways_(function.labels.size()) {}
 
   bool Run() {
+    FindWaysBack();
     for (Instruction& instruction : function_.code) {
       if (instruction.kind == Instruction::Kind::kLabel) {
-        ++block_;
+        Arrive(instruction.label);
         continue;
       }
+      if (!reached_) continue;  // RemoveUnreachable() removes it
       Replace(instruction);
+      changed_ |= FoldConstants(instruction, wrap_shift_);
       ForEachOperand(instruction, [this](const Operand& operand, bool written) {
         if (written && operand.IsVariable()) ++known_[At(operand)].version;
       });
       Remember(instruction);
+      Leave(instruction);
     }
     return changed_;
   }
@@ -37,7 +49,53 @@ class Copies {
     int version = 0;  // counts the writes of the variable itself
   };
 
+  // The jumps to a label.
+  struct Ways {
+    bool back = false;  // from statements after it, which are not known where it is passed
+    int jumps = 0;      // from those before it that are reached
+  };
+
   static size_t At(const Operand& operand) { return static_cast<size_t>(operand.variable); }
+
+  static bool Jumps(const Instruction& instruction) {
+    return instruction.kind == Instruction::Kind::kGoto ||
+           instruction.kind == Instruction::Kind::kIf;
+  }
+
+  Ways& WaysTo(int label) { return ways_[static_cast<size_t>(label)]; }
+
+  void FindWaysBack() {
+    std::vector<char> passed(ways_.size());
+    for (const Instruction& instruction : function_.code) {
+      if (instruction.kind == Instruction::Kind::kLabel) {
+        passed[static_cast<size_t>(instruction.label)] = 1;
+      } else if (Jumps(instruction)) {
+        WaysTo(instruction.label).back |= passed[static_cast<size_t>(instruction.label)] != 0;
+      }
+    }
+  }
+
+  // What is known stays known where one way alone leads to a label: from the statement before it,
+  // or from the last jump, when nothing has been reached since.
+  void Arrive(int label) {
+    const int left_to = std::exchange(left_to_, -1);
+    const Ways& ways = WaysTo(label);
+    const bool only_way = reached_ ? ways.jumps == 0 : ways.jumps == 1 && left_to == label;
+    reached_ = reached_ || ways.jumps > 0 || ways.back;
+    if (reached_ && (!only_way || ways.back)) ++block_;
+    if (!reached_) left_to_ = left_to;
+  }
+
+  void Leave(const Instruction& instruction) {
+    if (instruction.kind == Instruction::Kind::kReturn) reached_ = false;
+    if (!Jumps(instruction)) return;
+    // ThreadJumps() decides the constant ones.
+    const bool decided = instruction.a.IsConstant();
+    if (decided && instruction.a.value == 0) return;
+    ++WaysTo(instruction.label).jumps;
+    reached_ = instruction.kind == Instruction::Kind::kIf && !decided;
+    if (!reached_) left_to_ = instruction.label;
+  }
 
   const Operand* Find(int variable) const {
     const Known& known = known_[static_cast<size_t>(variable)];
@@ -90,7 +148,6 @@ class Copies {
       if (written || !operand.IsVariable()) return;
       const Operand* source = Find(operand.variable);
       if (source == nullptr) return;
-      // ThreadJumps() decides conditions that become constant.
       operand = *source;
       changed_ = true;
     });
@@ -98,7 +155,11 @@ class Copies {
 
   const Program& program_;
   LoweredFunction& function_;
+  const int wrap_shift_;
   std::vector<Known> known_;
+  std::vector<Ways> ways_;  // by label
+  bool reached_ = true;     // the statement that is looked at
+  int left_to_ = -1;        // the label of the last jump, while nothing is reached; -1: none
   int block_ = 0;
   bool changed_ = false;
 };
@@ -154,8 +215,8 @@ bool IsLocalNumber(const Program& program, int variable) {
   return info.role != Variable::Role::kGlobal && info.size == 0 && info.structure == nullptr;
 }
 
-bool PropagateCopies(const Program& program, LoweredFunction& function) {
-  const bool replaced = Copies(program, function).Run();
+bool PropagateCopies(const Program& program, LoweredFunction& function, vm::DoubleFormat format) {
+  const bool replaced = Copies(program, function, format).Run();
   return JoinCopies(program, function) || replaced;
 }
 

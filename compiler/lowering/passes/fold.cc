@@ -35,32 +35,28 @@ const Operand* Neutral(const Instruction& instruction) {
 
 }  // namespace
 
-bool FoldConstants(LoweredFunction& function, vm::DoubleFormat format) {
-  const int wrap_shift = vm::WrapShift(format);
-  bool changed = false;
-  for (Instruction& instruction : function.code) {
-    if (instruction.kind == Instruction::Kind::kBinary) {
-      std::optional<int64_t> value;
-      if (instruction.a.IsConstant() && instruction.b.IsConstant()) {
-        value = vm::EvaluateBinary(instruction.binary, instruction.a.type, instruction.a.value,
-                                   instruction.b.value, wrap_shift);
-      }
-      if (value) {
-        MakeCopy(instruction, ConstantOperand(instruction.target.type, *value));
-        changed = true;
-      } else if (const Operand* same = Neutral(instruction)) {
-        MakeCopy(instruction, Operand(*same));
-        changed = true;
-      }
-    } else if (instruction.kind == Instruction::Kind::kUnary &&
-               instruction.unary != vm::UnaryOperator::kCopy && instruction.a.IsConstant()) {
-      const int64_t value =
-          vm::EvaluateUnary(instruction.unary, instruction.a.type, instruction.a.value, wrap_shift);
-      MakeCopy(instruction, ConstantOperand(instruction.target.type, value));
-      changed = true;
+bool FoldConstants(Instruction& instruction, int wrap_shift) {
+  const Operand& a = instruction.a;
+  const Operand& b = instruction.b;
+  if (instruction.kind == Instruction::Kind::kBinary) {
+    std::optional<int64_t> value;
+    if (a.IsConstant() && b.IsConstant()) {
+      value = vm::EvaluateBinary(instruction.binary, a.type, a.value, b.value, wrap_shift);
     }
+    if (value) {
+      MakeCopy(instruction, ConstantOperand(instruction.target.type, *value));
+      return true;
+    }
+    const Operand* same = Neutral(instruction);
+    if (same != nullptr) MakeCopy(instruction, Operand(*same));
+    return same != nullptr;
   }
-  return changed;
+  const bool computes = instruction.kind == Instruction::Kind::kUnary &&
+                        instruction.unary != vm::UnaryOperator::kCopy && a.IsConstant();
+  if (!computes) return false;
+  const int64_t value = vm::EvaluateUnary(instruction.unary, a.type, a.value, wrap_shift);
+  MakeCopy(instruction, ConstantOperand(instruction.target.type, value));
+  return true;
 }
 
 }  // namespace oncard::compiler::lowering

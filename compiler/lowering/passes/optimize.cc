@@ -13,8 +13,7 @@ void Repeat(const Program& program, LoweredFunction& function, vm::DoubleFormat 
   bool changed = true;
   for (int round = 0; changed && round < kRoundMax; ++round) {
     changed = DecideWaysBack(function);
-    changed |= PropagateCopies(program, function);
-    changed |= FoldConstants(function, format);
+    changed |= PropagateCopies(program, function, format);
     changed |= ThreadJumps(program, function);
     changed |= RemoveUnreachable(function);
     changed |= RemoveDeadStores(program, function);

@@ -11,11 +11,12 @@
 
 namespace oncard::compiler::lowering {
 
-/// Computes statements whose operands are constants, with the card's arithmetic.
-bool FoldConstants(LoweredFunction& function, vm::DoubleFormat format);
+/// Computes a statement whose operands are constants, with the card's arithmetic.
+bool FoldConstants(Instruction& instruction, int wrap_shift);
 
-/// Replaces locals by what was assigned to them, up to the next label.
-bool PropagateCopies(const Program& program, LoweredFunction& function);
+/// Replaces locals by what was assigned to them, up to the next label to which several ways lead,
+/// and computes what becomes constant by that.
+bool PropagateCopies(const Program& program, LoweredFunction& function, vm::DoubleFormat format);
 
 /// Jumps to jumps, jumps to the next statement, and jumps over jumps.
 bool ThreadJumps(const Program& program, LoweredFunction& function);
