@@ -244,6 +244,14 @@ TEST(Lowering, WhatIsKnownEndsWhereSeveralWaysMeet) {
   EXPECT_THAT(*loop.text, HasSubstr("  v = x;\n"));
 }
 
+TEST(Lowering, ABranchWhoseWaysMeetAtOnceIsLeftOut) {
+  const Lowering lowering =
+      Lower("int v, w, h;\nvoid t0() {\n  while (v) {\n    v--;\n    if (w) {\n"
+            "      if (w > 3) continue;\n      continue;\n    }\n    h = 1;\n  }\n}\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text, testing::Not(HasSubstr("= w > 3;")));
+}
+
 // The calls of the first thread function that are jumps: `f 2, g 3`.
 std::string JumpsOf(const std::string& program) {
   const Lowering lowering = Lower(program);

@@ -1,4 +1,5 @@
-// Jumps to jumps, to the next statement, over another jump, and on constants.
+// Jumps to jumps, to the next statement, over another jump, to where the next jump goes, and on
+// constants.
 #include "compiler/lowering/passes/passes.h"
 #include "compiler/operators.h"
 
@@ -92,7 +93,15 @@ class Jumps {
       Remove(jump);
       return;
     }
-    if (jump.kind == Instruction::Kind::kIf) JumpOver(i);
+    if (jump.kind != Instruction::Kind::kIf) return;
+    const bool decides_nothing = i + 1 < code_.size() &&
+                                 code_[i + 1].kind == Instruction::Kind::kGoto &&
+                                 code_[i + 1].label == jump.label;
+    if (decides_nothing) {
+      Remove(jump);
+    } else {
+      JumpOver(i);
+    }
   }
 
   // `t = a < b; if (t) goto x; goto y; x:` becomes `t = a >= b; if (t) goto y; x:`

@@ -18,7 +18,7 @@ bool FoldConstants(Instruction& instruction, int wrap_shift);
 /// and computes what becomes constant by that.
 bool PropagateCopies(const Program& program, LoweredFunction& function, vm::DoubleFormat format);
 
-/// Jumps to jumps, jumps to the next statement, and jumps over jumps.
+/// Jumps to jumps, jumps to the next statement, jumps over jumps, and jumps to where the next goes.
 bool ThreadJumps(const Program& program, LoweredFunction& function);
 
 /// Decides comparisons with the number of a call (shared_bodies.cc) that can have one result only.
