@@ -10,6 +10,7 @@
 #include "bench/measure.h"
 #include "compiler/compiler.h"
 #include "compiler/lowering/lowering.h"
+#include "vm/limits.h"
 
 namespace oncard::bench {
 namespace {
@@ -59,11 +60,38 @@ void MeasureLowering() {
               static_cast<long>(std::count(text.begin(), text.end(), '\n')), seconds * 1e3);
 }
 
+// 32 thread functions with 100 calls each, which are inlined or become jumps, with the passes and
+// without them in turns. The argument is known, so that each call decides what the next one does,
+// or it is not.
+void MeasureCalls(const char* what, const char* thread) {
+  std::string text =
+      "int total[32];\nstatic int clamp(int v, int lo, int hi) {\n  if (v < lo) return lo;\n"
+      "  if (v > hi) return hi;\n  return v;\n}\n"
+      "static int scale(int v, int k) { return clamp(v * k / 3, -1000, 1000); }\n";
+  for (int t = 0; t < vm::kThreadCount; ++t) {
+    text += fmt::format(fmt::runtime(thread), t);
+    for (int call = 0; call < 100; ++call) text += fmt::format("  x += scale(x, {});\n", call);
+    text += fmt::format("  total[{}] = x;\n}}\n\n", t);
+  }
+  const auto lower = [&text](bool optimize) {
+    return [&text, options = compiler::LoweringOptions{.optimize = optimize}] {
+      const auto lowering =
+          compiler::LowerText("calls.c", text, {}, options, compiler::ReadSource);
+      if (!lowering.text) Fail("the generated program cannot be lowered");
+    };
+  };
+  const auto samples = MeasureInTurns(Clock::kCpu, {lower(true), lower(false)});
+  std::printf("lower and check 3200 calls, %s: %.0f ms, %.2f x --no-optimize\n", what,
+              Shortest(samples[0]) * 1e3, RatioOf(samples[0], samples[1]).shortest);
+}
+
 }  // namespace
 
 void BenchCompiler() {
   MeasureCompiler();
   MeasureLowering();
+  MeasureCalls("their argument known", "void thread{}() {{\n  int x = 1;\n");
+  MeasureCalls("their argument not known", "void thread{}(int x) {{\n");
 }
 
 }  // namespace oncard::bench

@@ -6,7 +6,7 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-// Programs need two or three rounds, a value that goes through many branches one for each.
+// Programs need two or three rounds; this many guard the time that a text can take.
 constexpr int kRoundMax = 64;
 
 void Repeat(const Program& program, LoweredFunction& function, vm::DoubleFormat format) {
