@@ -1,5 +1,8 @@
 // What a first visit sees: a machine that moves, a line, the first lesson, a program of one's own.
 
+import { readdirSync, readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
 import { expect, type Page, test } from "@playwright/test";
 
 import {
@@ -98,6 +101,15 @@ test("the opening leads to the first lesson, and the next visit opens what was o
   await page.getByLabel("Choose a lesson").selectOption("Welcome");
   await page.getByRole("button", { name: "Write my own program" }).click();
   await expect(page.getByRole("button", { name: "program.c" })).toBeVisible();
+});
+
+test("the page takes at most 320 kB beside the modules", () => {
+  const folder = new URL("../dist/page/", import.meta.url);
+  const sizes = readdirSync(folder)
+    .filter((name) => /\.(html|js|css|svg)$/.test(name))
+    .map((name) => gzipSync(readFileSync(new URL(name, folder))).length);
+  expect(sizes.length).toBeGreaterThan(3);
+  expect(sizes.reduce((sum, size) => sum + size)).toBeLessThanOrEqual(320_000);
 });
 
 for (const width of [1440, 1024]) {

@@ -18,7 +18,9 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   const link = dialog.getByRole("textbox", { name: "Link" });
   await expect(link).toHaveCount(0);
   await dialog.getByLabel("Title").fill("Three");
-  await dialog.getByLabel("Text, in Markdown").fill("Let `x` become **3**.");
+  await dialog
+    .getByLabel("Text, in Markdown")
+    .fill("Let `x` become **3**, not 1&frac12; or &nonsense;.");
   await dialog.getByRole("button", { name: "Add a hint" }).click();
   await dialog.getByLabel("Hint 1 of 1").fill("Write `x = 3;`.");
   await expectAccessible(page);
@@ -29,6 +31,7 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   await student.goto(address);
   const lesson = student.getByRole("group", { name: "Three" });
   await expect(lesson.locator("strong")).toHaveText("3");
+  await expect(lesson).toContainText("not 1½ or &nonsense;.");
   await lesson.getByRole("button", { name: "Show a hint" }).click();
   await expect(lesson).toContainText("Write x = 3;.");
   await expect(editor(student)).toContainText("x = 4;");

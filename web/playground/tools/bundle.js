@@ -67,6 +67,7 @@ export async function bundle(folder, modules) {
     target: ["chrome102", "firefox102", "safari15.4"],
     jsx: "automatic",
     jsxImportSource: "preact",
+    alias: { entities: "./src/lesson/entities.ts" },
     metafile: true,
     legalComments: "none",
     logLevel: "warning",
