@@ -185,6 +185,22 @@ for (const locale of ["en-US", "zh-CN"]) {
   });
 }
 
+for (const locale of ["en-US", "zh-CN"]) {
+  test(`the bar is one row from 1000 pixels on, ${locale}`, async ({ browser }) => {
+    const page = await (await browser.newContext({ locale, reducedMotion: "reduce" })).newPage();
+    await page.setViewportSize({ width: 1000, height: 800 });
+    await page.goto("./");
+    // The clock at its widest: a run of many moments.
+    await expect(page.locator(".clock-moment")).toContainText("55723");
+    for (const width of [1000, 1024, 1180, 1181, 1440]) {
+      await page.setViewportSize({ width, height: 800 });
+      const height = await page.locator(".toolbar").evaluate((bar) => bar.clientHeight);
+      expect(height, `at ${width} pixels`).toBe(56);
+    }
+    await page.context().close();
+  });
+}
+
 for (const width of [390, 1024, 1280, 1440]) {
   test(`the knobs of the scope are above its screen at ${width} pixels`, async ({ page }) => {
     await open(page);
