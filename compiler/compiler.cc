@@ -92,9 +92,9 @@ bool SaysEndless(std::string_view source) {
 }
 
 Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
-                            const FileReader& reader) {
+                            const FileReader& reader, const TextLimits& limits) {
   Reporter reporter;
-  Directives directives(options, reader, reporter);
+  Directives directives(options, reader, limits, reporter);
   directives.Run(SourceFile(path, std::move(text)));
   ParserDriver driver(directives.tokens(), reporter);
   driver.tree.macros = std::move(directives.macros());

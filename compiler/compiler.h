@@ -3,12 +3,14 @@
 // The language is described in docs/language.md, structured C in docs/structured.md.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/limits.h"
 #include "base/result.h"
 #include "compiler/diagnostic.h"
 #include "gtcalls/gts/catalogue.h"
@@ -71,10 +73,16 @@ Compilation Compile(const std::string& path, const Options& options = {});
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader);
 
+/// How much a program and all it includes may have.
+struct TextLimits {
+  size_t bytes = kSourceKind.bytes_max;
+  size_t tokens = kTokenMax;
+};
+
 /// The same for a program of the card's language, whatever Options::structured and its first line
 /// say.
 Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
-                            const FileReader& reader);
+                            const FileReader& reader, const TextLimits& limits = {});
 
 /// Paths of the pair that belongs to a source: `dir/sum.c` -> `dir/sum.bin`, `dir/sum.ini`, or in
 /// `folder` when it is not empty.

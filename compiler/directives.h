@@ -23,11 +23,12 @@ namespace oncard::compiler {
 class Directives {
  public:
   /// The references must outlive this object and its tokens.
-  Directives(const Options& options, const FileReader& reader, Reporter& reporter)
+  Directives(const Options& options, const FileReader& reader, const TextLimits& limits,
+             Reporter& reporter)
       : options_(options),
         reader_(reader),
         reporter_(reporter),
-        files_(options, reporter, Dialect::kCard) {}
+        files_(options, limits, reporter, Dialect::kCard) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);

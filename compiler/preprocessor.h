@@ -29,7 +29,7 @@ class Preprocessor {
         reader_(reader),
         reporter_(reporter),
         macros_(*options.catalogue, reporter, made_),
-        files_(options, reporter, Dialect::kStructured) {}
+        files_(options, TextLimits(), reporter, Dialect::kStructured) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/limits.h"
 #include "compiler/lexer.h"
 #include "compiler/parser.hh"
 
@@ -13,18 +12,18 @@ std::optional<std::vector<Token>> ProgramFiles::Add(SourceFile file, uint32_t in
   files_.push_back(std::move(file));
   inclusion_points_.push_back(inclusion_point);
   const size_t bytes = files_.back().text().size();
-  if (bytes > kSourceKind.bytes_max - read_bytes_) {
+  if (bytes > limits_.bytes - read_bytes_) {
     Refuse(MakeMessage("the program and what it includes have more than {0} bytes",
-                       "程序及其包含的文件超过 {0} 字节", kSourceKind.bytes_max));
+                       "程序及其包含的文件超过 {0} 字节", limits_.bytes));
   }
   if (refused_) return std::nullopt;
   read_bytes_ += bytes;
   // One token more than the limit is read, to detect a program with too many.
-  const size_t token_max = kTokenMax - scanned_tokens_;
+  const size_t token_max = limits_.tokens - scanned_tokens_;
   std::vector<Token> tokens =
       Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_, dialect_);
   if (tokens.size() > token_max) {
-    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
+    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", limits_.tokens));
     return std::nullopt;
   }
   scanned_tokens_ += tokens.size();

@@ -22,12 +22,12 @@ namespace oncard::compiler {
 class ProgramFiles {
  public:
   /// The references must outlive this object.
-  ProgramFiles(const Options& options, Reporter& reporter, Dialect dialect)
-      : options_(options), reporter_(reporter), dialect_(dialect) {}
+  ProgramFiles(const Options& options, const TextLimits& limits, Reporter& reporter,
+               Dialect dialect)
+      : options_(options), limits_(limits), reporter_(reporter), dialect_(dialect) {}
 
   /// Adds a file that the program includes at an offset, directly or not; the program is the first.
-  /// Its tokens, or nothing if the program is refused because it would become larger than
-  /// kSourceKind or kTokenMax allow.
+  /// Its tokens, or nothing if the program is refused because it would become too large.
   std::optional<std::vector<Token>> Add(SourceFile file, uint32_t inclusion_point);
   /// Reports at the file read last that the program is too large.
   void Refuse(const Message& why);
@@ -48,6 +48,7 @@ class ProgramFiles {
 
  private:
   const Options& options_;
+  const TextLimits limits_;
   Reporter& reporter_;
   const Dialect dialect_;
   std::deque<SourceFile> files_;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/limits.h"
 #include "tests/compiler/memory_files.h"
 
 namespace oncard::compiler {
@@ -156,6 +157,25 @@ TEST(LoweringLimits, BranchesInARow) {
   EXPECT_TRUE(Lower(ladder(300)).text.has_value());
   // The last 1000 of them would fit.
   ExpectError(ladder(20'000), Codes{138}, 2 + 20'000 - 1000, "1000");
+}
+
+// What a program becomes is longer than the program, and no limit of the card.
+TEST(LoweringLimits, TheLoweredTextIsLongerThanAProgramMayBe) {
+  const std::string statement =
+      "a_sum_of_products_of_long_names = a_left_factor_with_a_long_name_ * "
+      "a_right_factor_with_a_long_name + a_sum_of_products_of_long_names;\n";
+  std::string text =
+      "int a_sum_of_products_of_long_names, a_left_factor_with_a_long_name_,\n"
+      "    a_right_factor_with_a_long_name;\n";
+  for (int function = 0; function < 32; ++function) {
+    text += fmt::format("void t{}() {{\n", function);
+    for (int i = 0; i < 900; ++i) text += statement;
+    text += "}\n";
+  }
+  ASSERT_LT(text.size(), kSourceKind.bytes_max);
+  const Lowering lowering = Lower(text, {.comments = false});
+  ASSERT_TRUE(lowering.object.has_value()) << lowering.diagnostics[0].message.en;
+  EXPECT_GT(lowering.text->size(), kSourceKind.bytes_max);
 }
 
 TEST(LoweringLimits, SlotsOfTheGlobalsNameTheLargest) {
