@@ -71,6 +71,20 @@ test("a row leads to its step: timeline, values and editor follow", async ({ pag
   await expect(now(page)).toHaveText("after step 7");
 });
 
+test("a link leads to a step of the failing run", async ({ page, browser }) => {
+  await exploreLostUpdate(page);
+  await row(page, 22).click();
+  const parts = page.getByLabel("Change parts", { exact: true });
+  await expect(parts).toHaveValue("11");
+  await page.getByRole("button", { name: "Share" }).click();
+  await expect(page.getByLabel(/^at moment/)).toBeChecked();
+  const other = await (await browser.newContext()).newPage();
+  await other.goto(await page.getByRole("textbox", { name: "Link" }).inputValue());
+  await expect(other.getByLabel("Change parts", { exact: true })).toHaveValue("11");
+  await expect(other.locator(".cm-next")).toContainText("n = n - 1;");
+  await other.context().close();
+});
+
 test("the timeline has the numbers of the table", async ({ page }) => {
   await exploreLostUpdate(page);
   const numbers = page.locator(".lane-step");

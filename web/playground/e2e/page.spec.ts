@@ -35,6 +35,46 @@ test("a link opens the same project elsewhere, and the programs there stay", asy
   await other.context().close();
 });
 
+test("a link leads to where a run was shared, also in a frame of another page", async ({
+  page,
+  browser,
+}) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int shared;\nint main()\n{\n  shared = 1;\n  shared = 2;\n  shared = 3;\n}\n");
+  const share = page.getByRole("button", { name: "Share" });
+  const here = page.getByLabel(/^at moment/);
+  await share.click();
+  await expect(here).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  const step = page.getByRole("button", { name: "Step", exact: true });
+  await step.click();
+  await step.click();
+  await expect(page.getByLabel("Change shared", { exact: true })).toHaveValue("2");
+  const moment = await page.locator(".clock-moment").textContent();
+  await share.click();
+  await here.check();
+  const frame = await page.getByLabel("In a page of yours").inputValue();
+  const other = await (await browser.newContext()).newPage();
+  await other.goto(await page.getByRole("textbox", { name: "Link" }).inputValue());
+  await expect(other.getByLabel("Change shared", { exact: true })).toHaveValue("2");
+  expect(moment).toContain((await other.locator(".clock-moment").textContent())?.split(" of ")[0]);
+  await other.route("**/course.html", (route) =>
+    route.fulfill({ contentType: "text/html", body: frame }),
+  );
+  await other.goto("./course.html");
+  const framed = other.frameLocator("iframe");
+  await expect(framed.getByLabel("Change shared", { exact: true })).toHaveValue("2");
+  await other.context().close();
+
+  // What was changed by hand cannot be repeated.
+  await page.keyboard.press("Escape");
+  await page.getByLabel("Change shared", { exact: true }).fill("7");
+  await page.keyboard.press("Enter");
+  await share.click();
+  await expect(page.getByText("The run was changed by hand")).toBeVisible();
+});
+
 for (const [fragment, said] of [
   ["#p1=abcdef", "This link is damaged"],
   ["#p7=abcdef", "This link is of version 7"],

@@ -28,6 +28,16 @@ test("a link carries a project", () => {
   expect(readLink(writeLink(shared))).toEqual({ kind: "shared", shared });
 });
 
+test("a link carries the place of a run", () => {
+  const place = { ...shared, moment: 55_723, recording: "schedule 1\n" };
+  expect(readLink(writeLink(place))).toEqual({ kind: "shared", shared: place });
+});
+
+test.each([0, -1, 1.5, 1e12])("the moment %d is none of a run", (moment) => {
+  const read = readLink(writeLink({ ...shared, moment }));
+  expect(read).toMatchObject({ kind: "broken", mistakes: [{ where: "moment" }] });
+});
+
 test("a link carries a teacher's lesson", () => {
   const read = readLink(writeLink({ ...shared, own: own as never }));
   expect(read).toMatchObject({ shared: { own: { id: "mine", text: { zh: "Do it." } } } });

@@ -54,6 +54,8 @@ interface Session {
   breakpoints: readonly number[];
   /** Grows when values of the past may have changed: with each load, choice and change. */
   history: number;
+  /** The history at the last load; nothing has been changed by hand while it is the present one. */
+  loaded: number;
 }
 
 /** The card at the present moment. Without a program there is no state and no card. */
@@ -75,6 +77,7 @@ const [session, changeSession] = slice<Session>({
   choice: "",
   breakpoints: [],
   history: 0,
+  loaded: 0,
 });
 const [present, changePresent] = slice<Present>(nothing);
 export { present, session };
@@ -236,6 +239,7 @@ class Bench {
         changeSession({ listing: await engine.listing(), choice: answer.choice ?? "" });
         await prepare?.(engine);
         this.#changeHistory();
+        changeSession({ loaded: session.history.peek() });
         await this.#show(answer.state, { kind: "ready" });
         await begin?.(engine);
         success = answer;
@@ -334,6 +338,20 @@ class Bench {
     return this.#walking(async (engine, signal) =>
       this.#arrived(await engine.walkForward({ goal: "end" }, { signal })),
     );
+  }
+
+  /** From the present moment to a later one, or to where the run stops before it. */
+  runTo(moment: number): Promise<void> {
+    return this.#walking(async (engine, signal) => {
+      let state = await engine.state();
+      while (state.moment < moment && !signal.aborted) {
+        const steps = Math.min(moment - state.moment, stepsOfRun);
+        const result = await engine.forward({ goal: "stop" }, steps);
+        if (result.stop.reason !== "budget") return this.#arrived(result);
+        ({ state } = result);
+      }
+      return this.#show(state, { kind: "ready" });
+    });
   }
 
   /** As far as it gets until the next picture is due. */

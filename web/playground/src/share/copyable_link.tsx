@@ -1,10 +1,10 @@
-// A link that can be copied.
+// A link, or a text with one, that can be copied.
 
 import { useRef, useState } from "preact/hooks";
 
 import { texts } from "../texts/texts.js";
 
-export function CopyableLink({ link }: { link: string }) {
+export function CopyableLink({ label, link }: { label: string; link: string }) {
   const { share: t } = texts.value;
   const field = useRef<HTMLTextAreaElement>(null);
   const [copied, setCopied] = useState<string>();
@@ -20,7 +20,7 @@ export function CopyableLink({ link }: { link: string }) {
   return (
     <>
       <label>
-        {t.link}
+        {label}
         <textarea ref={field} readOnly rows={4} value={link} />
       </label>
       {link.startsWith("#") && <p>{t.fragment}</p>}

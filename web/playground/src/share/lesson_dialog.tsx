@@ -90,7 +90,7 @@ export function LessonDialog({ onClose }: { onClose: () => void }) {
         </select>
       </label>
       {"lesson" in parsed ? (
-        <CopyableLink link={linkOfLesson(parsed.lesson)} />
+        <CopyableLink label={texts.value.share.link} link={linkOfLesson(parsed.lesson)} />
       ) : (
         <div role="status">
           {t.missing}

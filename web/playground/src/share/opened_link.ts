@@ -2,15 +2,20 @@
 
 import { effect } from "@preact/signals";
 
+import { bench } from "../session/bench.js";
 import { addLinked, lessonNamed, lessons } from "../store/lessons.js";
 import { ownProgram } from "../store/own_program.js";
 import { chooseLanguage } from "../store/settings.js";
+import { sameFiles } from "../store/shelf.js";
 import { slice } from "../store/slice.js";
 import { lastLesson, openLesson, openLessonWith, source } from "../store/source.js";
 import { lessonLink, type ReadLink, readLink, type Shared } from "./link.js";
 
 const [openedLink, change] = slice<{ link: ReadLink }>({ link: { kind: "none" } });
 export { openedLink };
+
+/** What has come with a link and is not on the card yet. */
+let opened: Shared | undefined;
 
 export function forgetLink(): void {
   change({ link: { kind: "none" } });
@@ -42,6 +47,21 @@ function takeLink(): ReadLink {
   return link;
 }
 
+/** What was opened is on the card. True if a link has brought it, and the card goes to a place in its run. */
+export function goToShared(): boolean {
+  const { files = {}, moment, recording } = opened ?? {};
+  opened = undefined;
+  if (moment === undefined || !sameFiles(source.files.peek(), files)) return false;
+  void goToPlace(moment, recording);
+  return true;
+}
+
+async function goToPlace(moment: number, recording?: string): Promise<void> {
+  if (recording === undefined) return bench.runTo(moment);
+  const loaded = await bench.loadRecording(source.project.peek(), recording);
+  if (loaded !== undefined) await bench.goTo({ moment });
+}
+
 /** Lets the address name the open lesson, if it is one that everybody has, and nothing else. */
 function nameLesson(): void {
   const { id } = source.lesson.peek();
@@ -57,7 +77,9 @@ export function followLesson(): void {
   });
 }
 
-function openShared({ own, lesson, files, program, main, language }: Shared): void {
+function openShared(shared: Shared): void {
+  const { own, lesson, files, program, main, language } = shared;
+  opened = shared;
   if (language) chooseLanguage(language);
   if (own) addLinked(own);
   const known = own ?? lessonNamed(lesson) ?? ownProgram;

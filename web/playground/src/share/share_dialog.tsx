@@ -1,19 +1,37 @@
-// The link of the open project.
+// The link of the open project, at its start or where its run is, and a frame with it for other pages.
 
 import { useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
+import { present } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
 import { CopyableLink } from "./copyable_link.js";
-import { shareLink } from "./project_link.js";
+import { frameOf, presentPlace, shareLink } from "./project_link.js";
 
 export function ShareDialog({ onClose }: { onClose: () => void }) {
   const { share: t } = texts.value;
-  const [link] = useState(shareLink);
+  const [place] = useState(presentPlace);
+  const [isHere, setHere] = useState(place?.recording !== undefined);
+  const link = shareLink(isHere ? place : undefined);
   return (
     <Dialog title={t.title} onClose={onClose}>
       <p>{t.text}</p>
-      <CopyableLink link={link} />
+      {place ? (
+        <label class="row">
+          <input
+            type="checkbox"
+            checked={isHere}
+            onChange={({ currentTarget }) => {
+              setHere(currentTarget.checked);
+            }}
+          />
+          {t.here(place.moment)}
+        </label>
+      ) : (
+        (present.state.value?.moment ?? 0) > 0 && <p class="muted">{t.notHere}</p>
+      )}
+      <CopyableLink label={t.link} link={link} />
+      {!link.startsWith("#") && <CopyableLink label={t.frame} link={frameOf(link)} />}
     </Dialog>
   );
 }

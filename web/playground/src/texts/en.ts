@@ -348,7 +348,11 @@ export const en = {
   share: {
     title: "Share this program",
     text: "The link carries the whole project: program, scenario, lesson and language. Nothing is sent to a server.",
+    here: (moment: number) => `at moment ${moment} of its run`,
+    notHere:
+      "The run was changed by hand or is another program's, so that the link leads to the start.",
     link: "Link",
+    frame: "In a page of yours (HTML)",
     fragment:
       "This page has an address on this computer alone. Put the link behind the address of any playground.",
     copy: "Copy",

@@ -334,7 +334,10 @@ export const zh: Texts = {
   share: {
     title: "分享这个程序",
     text: "链接包含整个项目：程序、场景、课程和语言。不会向服务器发送任何内容。",
+    here: (moment) => `停在运行的第 ${moment} 个时刻`,
+    notHere: "运行被手动改动过，或属于另一个程序，因此链接从头开始。",
     link: "链接",
+    frame: "嵌入您的网页（HTML）",
     fragment: "本页面的地址只在这台计算机上有效。请将链接接在任一练习页面的地址之后。",
     copy: "复制",
     copied: "已复制。",
