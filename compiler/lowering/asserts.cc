@@ -114,8 +114,8 @@ bool Lowerer::HasAssert(const Statement& statement) const {
   return asserts_.contains(&statement);
 }
 
-// What the indices and members behind a name name, without them; nullopt if that is no number or
-// structure of the card whose place is known.
+// What the indices and members behind a name name, without them; nullopt if that is no number
+// whose place is known.
 std::optional<ArrayPlace> Lowerer::NamedPlace(const Symbol& symbol, std::string_view* text) {
   if (!symbol.dimensions.empty() && !symbol.offset.IsConstant()) return std::nullopt;
   ArrayPlace place = {symbol.variable, symbol.offset, symbol.dimensions, symbol.type, {}};
@@ -179,8 +179,6 @@ void Lowerer::EmitAsserts(const Statement& statement) {
       if (program_.variables[static_cast<size_t>(place->variable)].size > 0) {
         operand.kind = Operand::Kind::kElement;
         operand.value = element = place->offset.value;
-      } else if (place->element.structure != nullptr) {
-        operand.kind = Operand::Kind::kMember;
       }
       assertion.texts.push_back(std::exchange(text, {}));
       assertion.names.emplace_back(from.substr(0, from.size() - rest.size()));

@@ -78,22 +78,6 @@ void Lowerer::AssignInto(const Place& place, const Expression& value) {
   if (RequireNumber(computed, inner)) Store(place, computed, value.range, false);
 }
 
-bool Lowerer::AssignCardStructure(const Expression& target, const Expression& value) {
-  const std::optional<Place> to = LowerPlace(target);
-  if (!to) return false;
-  const std::optional<Place> from = LowerPlace(value);
-  if (!from || !CheckWritable(*to, target)) return false;
-  if (from->type.structure != to->type.structure) {
-    Report(Code::kTypeMismatch, value.range, Source(value.range),
-           std::string_view(to->type.structure->name),
-           MakeMessage("both sides must be the same structure", "两边必须是同一种结构"));
-    return false;
-  }
-  CopyLeaf(StructureAt(to->operand.variable, to->type),
-           StructureAt(from->operand.variable, from->type), target.range);
-  return true;
-}
-
 // A place in an array is no number: it may be moved, and used where a place may stand.
 Value Lowerer::LowerMoved(const Expression& expression, bool value_used) {
   const std::optional<ArrayPlace> moved = LowerMove(expression, value_used);
@@ -106,12 +90,7 @@ Value Lowerer::LowerAssignment(const Expression& expression, bool value_used) {
   const Expression& value = *expression.operands[1];
   if (IsArray(target)) return LowerMoved(expression, value_used);
   if (TypeOf(target) == BasicType::kStructure) {
-    const std::optional<Shape> shape = ShapeOf(target);
-    if (shape && shape->type.own != nullptr) {
-      AssignStructure(target, value);
-    } else {
-      AssignCardStructure(target, value);
-    }
+    AssignStructure(target, value);
     return {Operand(), BasicType::kStructure, BasicType::kStructure};
   }
   const std::optional<Place> place = LowerPlace(target);

@@ -85,11 +85,17 @@ Operand Lowerer::NewTemporary(vm::DataType type, SourceRange range) {
   return VariableOperand(static_cast<int>(program_.variables.size()) - 1);
 }
 
+// A number, or that of a member of a structure of the card.
 Operand Lowerer::VariableOperand(int variable) const {
+  const Variable& named = program_.variables[static_cast<size_t>(variable)];
   Operand operand;
   operand.kind = Operand::Kind::kVariable;
-  operand.type = program_.variables[static_cast<size_t>(variable)].type;
+  operand.type = named.type;
   operand.variable = variable;
+  if (named.structure == nullptr) return operand;
+  operand.kind = Operand::Kind::kMember;
+  operand.member = named.member;
+  operand.variable -= named.member;
   return operand;
 }
 

@@ -79,7 +79,7 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
                                                       const FunctionInfo& info) {
   const Declarator& declarator = parameter.declarator;
   const Type type = ResolveGlobalType(parameter.specifiers);
-  if (type.structure != nullptr) {
+  if (type.own != nullptr && type.own->card != nullptr) {
     Report(Code::kBadParameter, parameter.range, Source(parameter.range));
     return std::nullopt;
   }
@@ -207,6 +207,9 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
         symbol.dimensions.front() = 0;
         copies.push_back({{symbol.offset, Type{}}, offset, argument.range, {}});
       }
+    } else if (type.own != nullptr && type.own->card != nullptr) {
+      Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
+      return false;
     } else if (type.own != nullptr) {
       const std::optional<ArrayPlace> structure = LowerStructure(argument);
       if (!structure || !IsComplete(type, declarator.name, declarator.name_range)) return false;
@@ -220,10 +223,6 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
                                    declarator.name_range);
       copies.push_back({{VariableOperand(symbol.variable), type}, {}, argument.range, structure});
     } else {
-      if (type.structure != nullptr) {
-        Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
-        return false;
-      }
       Value value = LowerValue(argument);
       if (!RequireNumber(value, argument)) {
         good = false;
@@ -292,9 +291,9 @@ ArrayPlace Lowerer::CopyOf(const ArrayPlace& structure, SourceRange range) {
 Operand Lowerer::NewResult(const Expression& call, const FunctionInfo& info) {
   const Type& type = info.type;
   if (type.own == nullptr) return NewTemporary(DataTypeOf(type.basic), call.range);
-  const bool numbers = std::none_of(
-      type.own->leaves.begin(), type.own->leaves.end(),
-      [](const Leaf& leaf) { return leaf.is_array || leaf.type.structure != nullptr; });
+  const bool numbers =
+      std::none_of(type.own->leaves.begin(), type.own->leaves.end(),
+                   [](const Leaf& leaf) { return leaf.is_array || leaf.card != nullptr; });
   if (!numbers) {
     return VariableOperand(VariableOf(&call, Variable::Role::kLocal,
                                       fmt::format("{}_result", info.syntax->name), type, {},

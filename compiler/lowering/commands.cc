@@ -14,13 +14,20 @@ std::optional<Operand> Lowerer::LowerAddress(const Expression& argument) {
   const Expression& inner = WithoutParens(argument);
   const bool address = inner.kind == Expression::Kind::kUnary && inner.op == "&";
   const Expression& target = address ? WithoutParens(*inner.operands[0]) : inner;
+  const std::optional<Shape> shape = ShapeOf(target);
   Operand operand;
-  if (IsArray(target)) {
+  if (shape && IsAggregate(*shape)) {
     const std::optional<ArrayPlace> array = LowerArray(target);
     if (!array) return std::nullopt;
+    if (array->element.own != nullptr && array->element.own->card == nullptr) {
+      ReportStructure(target);
+      return std::nullopt;
+    }
     const std::optional<Operand> element = ElementOf(*array, target.range);
     if (!element) return std::nullopt;
     operand = *element;
+    // The whole structure is a variable.
+    if (array->element.own != nullptr) operand.kind = Operand::Kind::kVariable;
     if (operand.index >= 0) {
       operand.index = Stable(VariableOperand(operand.index), target.range).variable;
     }

@@ -44,12 +44,16 @@ std::vector<Leaf> LeavesIn(const Type& type) {
   return {leaf};
 }
 
+// Of the members of a structure of the card the first one has its name.
+bool IsNamed(const Leaf& leaf) { return leaf.member == 0; }
+
 // The variable of the card for a leaf of a variable that C calls `written`.
 Variable VariableFor(const Leaf& leaf, const std::vector<int64_t>& dimensions,
                      std::string_view written, std::string name) {
   Variable variable;
   variable.type = DataTypeOf(leaf.type.basic);
-  variable.structure = leaf.type.structure;
+  variable.structure = leaf.card;
+  variable.member = leaf.member;
   const int64_t structures = SizeOfAll(dimensions);
   if (structures != 0 || leaf.is_array) {
     variable.size = static_cast<int>(std::max(structures, int64_t{1}) * leaf.size);
@@ -113,9 +117,8 @@ Type Lowerer::TypeFrom(const Specifiers& specifiers, const Scope* scope) const {
     if (std::find(std::begin(kBases), std::end(kBases), word) != std::end(kBases)) {
       words.base = word;
     }
-    if (const gtcalls::Structure* structure = options_.catalogue->FindStructure(word)) {
-      type.structure = structure;
-    }
+    const auto card = card_structures_.find(options_.catalogue->FindStructure(word));
+    if (card != card_structures_.end()) type.own = &card->second;
   }
   if (named != nullptr) {
     const bool is_const = type.is_const || named->type.is_const;
@@ -124,7 +127,7 @@ Type Lowerer::TypeFrom(const Specifiers& specifiers, const Scope* scope) const {
     type.rows = named->dimensions.empty() ? nullptr : &named->dimensions;
     return type;
   }
-  type.basic = type.structure != nullptr ? BasicType::kStructure : TypeOfWords(words);
+  type.basic = type.own != nullptr ? BasicType::kStructure : TypeOfWords(words);
   return type;
 }
 
@@ -166,12 +169,11 @@ std::string Lowerer::NewWrittenName(std::string_view wish) {
 int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type,
                          const std::vector<int64_t>& dimensions, SourceRange range) {
   const int first = static_cast<int>(program_.variables.size());
-  const bool own = type.own != nullptr;
+  const bool own = type.own != nullptr && type.own->card == nullptr;
   const std::string written = own ? NewWrittenName(wish) : std::string();
   for (const Leaf& leaf : LeavesIn(type)) {
-    const std::string name =
-        names_.Make(own ? fmt::format("{}_{}", wish, leaf.name) : std::string(wish));
-    local_names_.insert(name);
+    const std::string name = IsNamed(leaf) ? names_.Make(JoinNames(wish, leaf.name)) : "";
+    if (!name.empty()) local_names_.insert(name);
     Variable variable = VariableFor(leaf, dimensions, own ? written : name, name);
     variable.role = role;
     variable.group = frame_ != nullptr ? frame_->group : 0;
@@ -185,13 +187,13 @@ int Lowerer::NewGlobal(const std::string& name, const Type& type,
                        const std::vector<int64_t>& dimensions, SourceRange range) {
   const int first = static_cast<int>(program_.variables.size());
   for (const Leaf& leaf : LeavesIn(type)) {
-    Variable variable = VariableFor(
-        leaf, dimensions, name,
-        type.own != nullptr ? NewGlobalName(fmt::format("{}_{}", name, leaf.name)) : name);
+    std::string own_name = IsNamed(leaf) ? JoinNames(name, leaf.name) : "";
+    if (!leaf.name.empty() && IsNamed(leaf)) own_name = NewGlobalName(own_name);
+    Variable variable = VariableFor(leaf, dimensions, name, std::move(own_name));
     variable.role = Variable::Role::kGlobal;
     variable.is_table = type.is_const && variable.size > 0;
     variable.range = range;
-    program_.globals.push_back(static_cast<int>(program_.variables.size()));
+    if (IsNamed(leaf)) program_.globals.push_back(static_cast<int>(program_.variables.size()));
     program_.variables.push_back(std::move(variable));
   }
   return first;
@@ -288,11 +290,10 @@ void Lowerer::DefineType(const Declarator& declarator, const Type& type) {
   }
   // C lets it be said twice.
   const auto known = scopes_.back().find(declarator.name);
-  const bool again =
-      known != scopes_.back().end() && known->second.kind == Symbol::Kind::kType &&
-      known->second.type.basic == type.basic && known->second.type.structure == type.structure &&
-      known->second.type.own == type.own && known->second.type.is_const == type.is_const &&
-      known->second.dimensions == symbol.dimensions;
+  const bool again = known != scopes_.back().end() && known->second.kind == Symbol::Kind::kType &&
+                     known->second.type.basic == type.basic && known->second.type.own == type.own &&
+                     known->second.type.is_const == type.is_const &&
+                     known->second.dimensions == symbol.dimensions;
   if (!again) Define(declarator.name, std::move(symbol));
 }
 
@@ -408,9 +409,7 @@ bool Lowerer::Redeclares(const Symbol& first, const Symbol& symbol) {
   const std::vector<int64_t>& before = first.dimensions;
   const std::vector<int64_t>& now = symbol.dimensions;
   const bool same_type = first.kind == Symbol::Kind::kVariable && !first.invalid &&
-                         first.type.basic == symbol.type.basic &&
-                         first.type.structure == symbol.type.structure &&
-                         first.type.own == symbol.type.own;
+                         first.type.basic == symbol.type.basic && first.type.own == symbol.type.own;
   if (!same_type || before.size() != now.size()) return false;
   for (size_t i = 0; i < now.size(); ++i) {
     if (before[i] != now[i] && before[i] != 0 && now[i] != 0) return false;

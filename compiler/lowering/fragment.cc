@@ -125,11 +125,20 @@ void FragmentLowerer::DefineName(std::string_view name) {
     variable.size = entity->array_size;
     variable.structure = entity->structure;
     symbol.variable = static_cast<int>(program_.variables.size());
-    program_.variables.push_back(std::move(variable));
-    symbol.type.structure = entity->structure;
-    symbol.type.basic = entity->structure != nullptr            ? BasicType::kStructure
-                        : entity->type == vm::DataType::kDouble ? BasicType::kDouble
-                                                                : BasicType::kInt;
+    symbol.type.basic =
+        entity->type == vm::DataType::kDouble ? BasicType::kDouble : BasicType::kInt;
+    if (entity->structure != nullptr) {
+      symbol.type.basic = BasicType::kStructure;
+      symbol.type.own = CardStructure(*entity->structure);
+    }
+    for (int leaf = 0; leaf < LeavesOf(symbol.type); ++leaf) {
+      variable.member = static_cast<int16_t>(leaf);
+      if (symbol.type.own != nullptr) {
+        const Type& member = symbol.type.own->members[static_cast<size_t>(leaf)].type;
+        variable.type = DataTypeOf(member.basic);
+      }
+      program_.variables.push_back(variable);
+    }
     if (entity->array_size != 0) symbol.dimensions = {entity->array_size};
   } else {
     failed_ = true;

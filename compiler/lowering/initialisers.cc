@@ -38,10 +38,7 @@ const Expression* Lowerer::ScalarValue(const Expression& value) {
 
 int64_t Lowerer::Width(const Shape& shape) {
   const Type& type = shape.type;
-  const int64_t values = type.own != nullptr         ? type.own->values
-                         : type.structure != nullptr ? std::ssize(type.structure->members)
-                                                     : 1;
-  return Product(shape.dimensions, 0) * values;
+  return Product(shape.dimensions, 0) * (type.own != nullptr ? type.own->values : 1);
 }
 
 // A row of an array, or a member of a structure.
@@ -54,9 +51,6 @@ Lowerer::Part Lowerer::PartOf(const Shape& whole, int64_t number) const {
     const OwnMember& member = whole.type.own->members[static_cast<size_t>(number)];
     part.shape = {member.type, member.dimensions};
     part.begin = member.begin;
-  } else if (whole.type.structure != nullptr) {
-    part.shape.type.basic = MemberType(whole.type.structure->members[static_cast<size_t>(number)]);
-    part.begin = number;
   }
   return part;
 }
@@ -95,11 +89,11 @@ std::optional<Lowerer::Designation> Lowerer::Designate(const Expression& designa
     const std::optional<int64_t> member =
         is_structure ? MemberNumber(whole.type, designator.text) : std::nullopt;
     if (member) return Designation{*member, *member};
-    if (is_structure && whole.type.own != nullptr) {
+    if (is_structure && !designator.text.empty()) {
       ReportNoMember(*whole.type.own, designator.text, designator.op_range);
     } else {
-      Report(Code::kNoMember, designator.op_range,
-             is_structure ? NameOfStructure(whole.type) : name, Source(designator.op_range));
+      Report(Code::kNoMember, designator.op_range, is_structure ? whole.type.own->name : name,
+             Source(designator.op_range));
     }
     return std::nullopt;
   }
@@ -146,8 +140,7 @@ bool Lowerer::HasType(const Expression& value, const Shape& shape) const {
   const Type& type = shape.type;
   if (type.basic != BasicType::kStructure || !shape.dimensions.empty()) return false;
   const std::optional<Shape> given = ShapeOf(value);
-  return given && given->dimensions.empty() && given->type.own == type.own &&
-         given->type.structure == type.structure;
+  return given && given->dimensions.empty() && given->type.own == type.own;
 }
 
 // The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
@@ -249,16 +242,10 @@ std::optional<Lowerer::Elements> Lowerer::ElementsOf(const Expression& values,
   return std::move(filling.elements);
 }
 
-// The number of a variable, an element of an array or a member of a structure of the card.
+// The number of a variable, or an element of an array.
 Operand Lowerer::ElementOperand(int variable, int64_t index) const {
   Operand operand = VariableOperand(variable);
-  const Variable& written = program_.variables[static_cast<size_t>(variable)];
-  if (written.structure != nullptr) {
-    operand.kind = Operand::Kind::kMember;
-    operand.member = static_cast<int16_t>(index);
-    operand.type =
-        gtcalls::ProgramType(written.structure->members[static_cast<size_t>(index)].type);
-  } else if (written.size > 0) {
+  if (program_.variables[static_cast<size_t>(variable)].size > 0) {
     operand.kind = Operand::Kind::kElement;
     operand.value = index;
   }
@@ -271,7 +258,7 @@ ArrayPlace Lowerer::PlaceAt(const Symbol& symbol, int64_t position, const OwnStr
   ArrayPlace place;
   place.variable = symbol.variable;
   int64_t element = 0;
-  while (IsAggregate(part.shape) && part.shape.type.structure == nullptr) {
+  while (IsAggregate(part.shape)) {
     const OwnStructure* const structure = part.shape.type.own;
     if (part.shape.dimensions.empty() && structure == own) break;
     const int64_t number = PartNumberAt(part.shape, position);
@@ -284,8 +271,7 @@ ArrayPlace Lowerer::PlaceAt(const Symbol& symbol, int64_t position, const OwnStr
     position -= part.begin;
   }
   place.element = part.shape.type;
-  // Of a structure of the card, which has no elements, the member.
-  place.offset = IntOperand(element + position);
+  place.offset = IntOperand(element);
   place.name = Source(symbol.range);
   return place;
 }
@@ -293,12 +279,8 @@ ArrayPlace Lowerer::PlaceAt(const Symbol& symbol, int64_t position, const OwnStr
 void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbol) {
   const auto add = [this](const Operand& target, const Type& type, const Expression& expression) {
     const std::optional<TypedConstant> value = Evaluate(expression);
-    const BasicType basic =
-        target.kind == Operand::Kind::kMember
-            ? target.type == vm::DataType::kDouble ? BasicType::kDouble : BasicType::kInt
-            : type.basic;
     const std::optional<TypedConstant> converted =
-        value ? ConvertConstant(*value, basic) : std::nullopt;
+        value ? ConvertConstant(*value, type.basic) : std::nullopt;
     if (!converted) {
       Report(Code::kConstantNeeded, expression.range, Source(expression.range));
       return;
@@ -322,8 +304,7 @@ void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbo
 }
 
 void Lowerer::ClearElements(int variable, int64_t begin, int64_t end, SourceRange range) {
-  const Variable& cleared = program_.variables[static_cast<size_t>(variable)];
-  if (end - begin < kClearedByLoop || cleared.structure != nullptr) {
+  if (end - begin < kClearedByLoop) {
     for (int64_t i = begin; i < end; ++i) {
       const Operand target = ElementOperand(variable, i);
       EmitCopy(target, ConstantOperand(target.type, 0), range);
@@ -340,8 +321,7 @@ void Lowerer::ClearElements(int variable, int64_t begin, int64_t end, SourceRang
   StepTo(index, end, loop, range);
 }
 
-// Gives a number, an array or a structure of the card its values; those that a structure gives it
-// are there already.
+// Gives a number or an array its values; those that a structure gives it are there already.
 void Lowerer::InitialiseLeaf(int variable, const Type& type, const Elements& values,
                              SourceRange range) {
   const auto is_zero = [&values](size_t i) {
@@ -356,10 +336,7 @@ void Lowerer::InitialiseLeaf(int variable, const Type& type, const Elements& val
       continue;
     }
     if (!values[i].of_structure) {
-      Place place = {ElementOperand(variable, static_cast<int64_t>(i)), type};
-      if (type.structure != nullptr)
-        place.type = PartOf({type, {}}, static_cast<int64_t>(i)).shape.type;
-      AssignInto(place, *values[i].value);
+      AssignInto({ElementOperand(variable, static_cast<int64_t>(i)), type}, *values[i].value);
     }
     ++i;
   }
@@ -385,16 +362,8 @@ void Lowerer::Initialise(const Expression& initialiser, std::string_view name, S
     return;
   }
   if (symbol.dimensions.empty() && value->kind != Expression::Kind::kBraces) {
-    if (symbol.type.own != nullptr) {
-      StoreStructure(PlaceAt(symbol, 0, symbol.type.own), *value);
-      return;
-    }
-    const std::optional<Place> source = LowerPlace(*value);
-    if (source && source->type.structure == symbol.type.structure) {
-      CopyLeaf(PlaceAt(symbol, 0, nullptr), StructureAt(source->operand.variable, source->type),
-               value->range);
-      return;
-    }
+    StoreStructure(PlaceAt(symbol, 0, symbol.type.own), *value);
+    return;
   }
   std::optional<Elements> elements = ElementsOf(initialiser, name, symbol);
   if (!elements) return;
@@ -410,13 +379,7 @@ void Lowerer::Initialise(const Expression& initialiser, std::string_view name, S
     of_leaf[static_cast<size_t>(place.offset.value)] = element;
     if (!element.of_structure || element.value == nullptr) continue;
     const OwnStructure* const own = ShapeOf(*element.value)->type.own;
-    const ArrayPlace whole_part = PlaceAt(symbol, static_cast<int64_t>(i), own);
-    if (own != nullptr) {
-      StoreStructure(whole_part, *element.value);
-    } else if (const std::optional<Place> source = LowerPlace(*element.value)) {
-      CopyLeaf(whole_part, StructureAt(source->operand.variable, source->type),
-               element.value->range);
-    }
+    StoreStructure(PlaceAt(symbol, static_cast<int64_t>(i), own), *element.value);
   }
   for (size_t i = 0; i < leaves; ++i) {
     const Type& type = symbol.type.own != nullptr ? symbol.type.own->leaves[i].type : symbol.type;

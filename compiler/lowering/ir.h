@@ -24,7 +24,11 @@ struct Variable {
   vm::DataType type = vm::DataType::kInt;
   /// Elements of an array; 0: not an array.
   int size = 0;
+  /// One of the card. Each of its members has a variable, one behind the other. The first one is
+  /// the structure itself, the others have no name and stand in no operand
+  /// (Lowerer::VariableOperand).
   const gtcalls::Structure* structure = nullptr;
+  int16_t member = 0;
   /// Of a temporary: the shared body whose statements use it, 0 for none.
   int body = 0;
   /// Of a local: the recursive functions of which each call has its own; 0: none.

@@ -300,6 +300,7 @@ class Lowerer {
                 SourceRange range);
 
   // --- structures.cc ---
+  const OwnStructure* CardStructure(const gtcalls::Structure& card);
   const OwnStructure* FindStructure(const StructSpecifier& syntax, const Scope* scope) const;
   bool IsComplete(const Type& type, std::string_view name, SourceRange range);
   bool CanRepeat(const Type& type, const Declarator& declarator);
@@ -389,7 +390,6 @@ class Lowerer {
   static int64_t SizeOfType(const Type& type);
   static int64_t AlignmentOf(const Type& type);
   static std::optional<int64_t> MemberNumber(const Type& type, std::string_view name);
-  static std::string_view NameOfStructure(const Type& type);
   virtual BasicType MemberType(const gtcalls::Member& member) const;
   virtual std::optional<BasicType> CastType(const Expression& expression);
   std::optional<int64_t> SizeOfOperand(const Expression& expression);
@@ -437,7 +437,7 @@ class Lowerer {
   std::optional<Place> LowerElement(const Expression& expression);
   void ReportStructure(const Expression& expression);
   bool IsOwnMember(const Expression& expression) const;
-  std::optional<Place> LowerMember(const Expression& expression);
+  void ReportNotAStructure(const Expression& member);
   void ReportUndeclared(const Expression& name);
   bool CheckWritable(const Place& place, const Expression& expression);
 
@@ -451,7 +451,6 @@ class Lowerer {
   Value Store(const Place& place, Value value, SourceRange range, bool value_used);
   Value Update(Place place, const vm::OperatorInfo& info, const Value& change,
                const Expression& expression, bool value_used);
-  bool AssignCardStructure(const Expression& target, const Expression& value);
 
   // --- calls.cc ---
   Value LowerCall(const Expression& expression);
@@ -580,6 +579,7 @@ class Lowerer {
   const DepthComment* depth_of_all_ = nullptr;  // of functions that have no comment
   // Those that the program defines; a function that is inlined twice has its own once.
   std::unordered_map<const StructSpecifier*, OwnStructure> structures_;
+  std::unordered_map<const gtcalls::Structure*, OwnStructure> card_structures_;
   std::vector<InitialValue> initial_values_;
   // Those before each statement.
   std::unordered_map<const Statement*, std::vector<AssertComment>> asserts_;

@@ -321,38 +321,19 @@ void Lowerer::ReportStructure(const Expression& expression) {
          MakeMessage("a structure", "结构"), MakeMessage("one of its members", "它的成员"));
 }
 
-// A member of a structure of the program, not of the card.
+// A member of a structure.
 bool Lowerer::IsOwnMember(const Expression& expression) const {
   const std::optional<Shape> whole = ShapeOf(*expression.operands[0]);
   return whole && whole->type.own != nullptr;
 }
 
-std::optional<Place> Lowerer::LowerMember(const Expression& expression) {
-  if (expression.op == "->") {
-    Report(Code::kNeedsPointer, expression.range, expression.op);
-    return std::nullopt;
+void Lowerer::ReportNotAStructure(const Expression& member) {
+  const Expression& whole = *member.operands[0];
+  if (member.op == "->") {
+    Report(Code::kNeedsPointer, member.range, member.op);
+  } else if (LowerPlace(whole)) {
+    Report(Code::kNoMember, member.op_range, Source(whole.range), member.text);
   }
-  const std::optional<Place> structure = LowerPlace(*expression.operands[0]);
-  if (!structure) return std::nullopt;
-  if (structure->type.structure == nullptr) {
-    Report(Code::kNoMember, expression.op_range, Source(expression.operands[0]->range),
-           expression.text);
-    return std::nullopt;
-  }
-  const auto& members = structure->type.structure->members;
-  for (size_t i = 0; i < members.size(); ++i) {
-    if (members[i].name != expression.text) continue;
-    Place place;
-    place.operand = structure->operand;
-    place.operand.kind = Operand::Kind::kMember;
-    place.operand.member = static_cast<int16_t>(i);
-    place.operand.type = gtcalls::ProgramType(members[i].type);
-    place.type.basic = MemberType(members[i]);
-    place.type.is_const = structure->type.is_const;
-    return place;
-  }
-  Report(Code::kNoMember, expression.op_range, structure->type.structure->name, expression.text);
-  return std::nullopt;
 }
 
 std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
@@ -365,7 +346,9 @@ std::optional<Place> Lowerer::LowerPlace(const Expression& expression) {
       if (inner.op == "*") return LowerElement(inner);
       break;
     case Expression::Kind::kMember:
-      return IsOwnMember(inner) ? LowerElement(inner) : LowerMember(inner);
+      if (IsOwnMember(inner)) return LowerElement(inner);
+      ReportNotAStructure(inner);
+      return std::nullopt;
     case Expression::Kind::kName: {
       const Symbol* symbol = Lookup(inner.text);
       if (symbol == nullptr) {

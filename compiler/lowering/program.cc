@@ -47,7 +47,7 @@ void Lowerer::DeclareFunction(const Function& syntax) {
            MakeMessage("a function whose result is an array", "返回数组的函数"),
            MakeMessage("write the result to an array parameter", "请把结果写入数组参数"));
   }
-  if (info.type.structure != nullptr) {
+  if (info.type.own != nullptr && info.type.own->card != nullptr) {
     Report(Code::kNotLowered, syntax.specifiers.range,
            MakeMessage("a function whose result is a structure", "返回结构的函数"),
            MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
@@ -169,6 +169,9 @@ Program Lowerer::Lower(const Tree& tree, const std::vector<AssertComment>& asser
                        const std::vector<DepthComment>& depths) {
   scopes_.emplace_back();
   for (const std::string_view word : kReserved) global_names_.Reserve(word);
+  for (const gtcalls::Structure& structure : options_.catalogue->structures()) {
+    if (structure.in_motion_program) CardStructure(structure);
+  }
   ReserveGlobals(tree);
   for (const StatementPtr& item : tree.items) {
     ++order_;

@@ -23,8 +23,7 @@ std::string Speller::Spell(const Operand& operand) const {
             : name != nullptr  ? fmt::format("[{}]", *name)
                                : fmt::format("[{}]", operand.value);
   } else if (operand.kind == Operand::Kind::kMember) {
-    text +=
-        fmt::format(".{}", variable.structure->members[static_cast<size_t>(operand.member)].name);
+    text += MemberOf(operand);
   }
   return text;
 }
@@ -93,8 +92,15 @@ std::string Speller::Spell(const Instruction& instruction, const LoweredFunction
 std::string Speller::SpellName(const Instruction& assert, size_t argument) const {
   const int64_t element =
       program_.assertions[static_cast<size_t>(assert.assertion)].elements[argument];
-  const std::string& name = VariableAt(assert.arguments[argument].variable).name;
+  const Operand& operand = assert.arguments[argument];
+  const std::string& name = VariableAt(operand.variable).name;
+  if (operand.kind == Operand::Kind::kMember) return name + MemberOf(operand);
   return element < 0 ? name : fmt::format("{}[{}]", name, element);
+}
+
+std::string Speller::MemberOf(const Operand& operand) const {
+  const gtcalls::Structure& structure = *VariableAt(operand.variable).structure;
+  return fmt::format(".{}", structure.members[static_cast<size_t>(operand.member)].name);
 }
 
 std::string_view SpellType(const Variable& variable) {

@@ -26,6 +26,7 @@ class Speller {
   const Variable& VariableAt(int number) const {
     return program_.variables[static_cast<size_t>(number)];
   }
+  std::string MemberOf(const Operand& operand) const;
   std::string SpellUnary(const Instruction& instruction) const;
 
   const Program& program_;

@@ -1,8 +1,9 @@
-// Structures that the program defines. The card has none, so a variable of one becomes a variable
-// for each of its leaves: the numbers, arrays of numbers and structures of the card in it, also
-// those in members that are structures themselves. Their variables have consecutive numbers, so
-// that a member of a place is found by adding its first leaf. An array of structures becomes an
-// array for each leaf: of `a[i].m[j]` the leaf is `a_m`, and the index `i * 3 + j`.
+// Structures. The card has none of a program, so a variable of one becomes a variable for each of
+// its leaves: the numbers and arrays of numbers in it, also those in members that are structures
+// themselves. Their variables have consecutive numbers, so that a member of a place is found by
+// adding its first leaf. An array of structures becomes an array for each leaf: of `a[i].m[j]` the
+// leaf is `a_m`, and the index `i * 3 + j`. The leaves of a structure of the card are one variable
+// of the card, whose members they name.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -22,6 +23,34 @@ int64_t RoundedUp(int64_t bytes, int64_t alignment) {
 }
 
 }  // namespace
+
+// A structure of the card.
+const OwnStructure* Lowerer::CardStructure(const gtcalls::Structure& card) {
+  const auto [entry, added] = card_structures_.try_emplace(&card);
+  OwnStructure& structure = entry->second;
+  if (!added) return &structure;
+  structure.name = card.name;
+  structure.card = &card;
+  structure.complete = true;
+  for (const gtcalls::Member& written : card.members) {
+    OwnMember member;
+    member.name = written.name;
+    member.type.basic = MemberType(written);
+    member.leaf = static_cast<int>(structure.leaves.size());
+    member.begin = structure.values++;
+    Leaf leaf;
+    leaf.type = member.type;
+    leaf.card = &card;
+    leaf.member = static_cast<int16_t>(member.leaf);
+    const int64_t size = SizeOfType(member.type);
+    structure.bytes = RoundedUp(structure.bytes, size) + size;
+    structure.alignment = std::max(structure.alignment, size);
+    structure.leaves.push_back(std::move(leaf));
+    structure.members.push_back(std::move(member));
+  }
+  structure.bytes = RoundedUp(structure.bytes, structure.alignment);
+  return &structure;
+}
 
 // The structure that a type names; one without members if it is not defined there.
 const OwnStructure* Lowerer::FindStructure(const StructSpecifier& syntax,
@@ -53,9 +82,8 @@ bool Lowerer::IsComplete(const Type& type, std::string_view name, SourceRange ra
 // A card's structure cannot be the element of an array.
 bool Lowerer::CanRepeat(const Type& type, const Declarator& declarator) {
   const bool repeats =
-      type.structure == nullptr &&
-      (type.own == nullptr || std::none_of(type.own->leaves.begin(), type.own->leaves.end(),
-                                           [](const Leaf& leaf) { return leaf.type.structure; }));
+      type.own == nullptr || std::none_of(type.own->leaves.begin(), type.own->leaves.end(),
+                                          [](const Leaf& leaf) { return leaf.card != nullptr; });
   if (!repeats) {
     Report(Code::kNotLowered, declarator.head,
            MakeMessage("an array of structures of the card", "控制卡结构的数组"),
@@ -125,7 +153,7 @@ void Lowerer::AddMember(OwnStructure& structure, const Declarator& declarator, c
   };
   if (type.own != nullptr) {
     for (const Leaf& leaf : type.own->leaves) {
-      add(fmt::format("{}_{}", declarator.name, leaf.name), leaf);
+      add(JoinNames(declarator.name, leaf.name), leaf);
     }
   } else {
     Leaf leaf;
@@ -175,7 +203,7 @@ void Lowerer::Narrow(ArrayPlace& place, const OwnMember& member, SourceRange ran
   place.name = Source(range);
 }
 
-// `s.m` and `p->m` of a structure of the program.
+// `s.m` and `p->m`.
 std::optional<ArrayPlace> Lowerer::LowerOwnMember(const Expression& expression) {
   const Expression& whole = *expression.operands[0];
   const bool arrow = expression.op == "->";
@@ -201,16 +229,16 @@ ArrayPlace Lowerer::StructureAt(int variable, const Type& type) {
   place.variable = variable;
   place.offset = IntOperand(0);
   place.element = type;
-  place.name = NameOfStructure(type);
+  place.name = type.own->name;
   return place;
 }
 
-// Variables of the card that a variable of a type becomes.
+// Variables that a variable of a type becomes.
 int Lowerer::LeavesOf(const Type& type) {
   return type.own != nullptr ? static_cast<int>(type.own->leaves.size()) : 1;
 }
 
-// Where a structure of the program is that is the value of an expression.
+// Where a structure is that is the value of an expression.
 std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) {
   const Expression& inner = WithoutParens(expression);
   if (inner.kind == Expression::Kind::kAssign) {
@@ -321,15 +349,8 @@ void Lowerer::CopyStructure(const ArrayPlace& to, const ArrayPlace& from, Source
   }
 }
 
-// Copies a number, an array of numbers or a structure of the card.
+// Copies a number or an array of numbers.
 void Lowerer::CopyLeaf(ArrayPlace to, ArrayPlace from, SourceRange range) {
-  if (const gtcalls::Structure* const structure = to.element.structure) {
-    for (size_t i = 0; i < structure->members.size(); ++i) {
-      EmitCopy(ElementOperand(to.variable, static_cast<int64_t>(i)),
-               ElementOperand(from.variable, static_cast<int64_t>(i)), range);
-    }
-    return;
-  }
   const auto copy = [this, range](const ArrayPlace& target, const ArrayPlace& source) {
     const std::optional<Operand> into = ElementOf(target, range);
     const std::optional<Operand> value = ElementOf(source, range);

@@ -30,18 +30,6 @@ BasicType TypeOfMember(const gtcalls::Member& member) {
   return BasicType::kInt;
 }
 
-// Bytes of a structure, with every member at a multiple of its size.
-int64_t SizeOfStructure(const gtcalls::Structure& structure) {
-  int64_t bytes = 0;
-  int64_t alignment = 1;
-  for (const gtcalls::Member& member : structure.members) {
-    const int64_t size = SizeOf(TypeOfMember(member));
-    bytes = (bytes + size - 1) / size * size + size;
-    alignment = std::max(alignment, size);
-  }
-  return (bytes + alignment - 1) / alignment * alignment;
-}
-
 }  // namespace
 
 // What `p++`, `--p`, `p += n` and `p = q` change, nullptr for other expressions.
@@ -123,32 +111,19 @@ std::optional<Shape> Lowerer::ShapeOf(const Expression& expression) const {
 
 // Which member of a structure has a name.
 std::optional<int64_t> Lowerer::MemberNumber(const Type& type, std::string_view name) {
-  const auto find = [name](const auto& members) -> std::optional<int64_t> {
-    const auto found = std::find_if(members.begin(), members.end(),
-                                    [name](const auto& member) { return member.name == name; });
-    return found != members.end() ? std::optional(found - members.begin()) : std::nullopt;
-  };
-  return type.own != nullptr ? find(type.own->members) : find(type.structure->members);
-}
-
-std::string_view Lowerer::NameOfStructure(const Type& type) {
-  return type.own != nullptr ? type.own->name : type.structure->name;
+  const std::vector<OwnMember>& members = type.own->members;
+  const auto found = std::find_if(members.begin(), members.end(),
+                                  [name](const OwnMember& member) { return member.name == name; });
+  return found != members.end() ? std::optional(found - members.begin()) : std::nullopt;
 }
 
 // Bytes, as the controllers' compilers lay types out.
 int64_t Lowerer::SizeOfType(const Type& type) {
-  if (type.own != nullptr) return type.own->bytes;
-  return type.structure != nullptr ? SizeOfStructure(*type.structure) : SizeOf(type.basic);
+  return type.own != nullptr ? type.own->bytes : SizeOf(type.basic);
 }
 
 int64_t Lowerer::AlignmentOf(const Type& type) {
-  if (type.own != nullptr) return type.own->alignment;
-  if (type.structure == nullptr) return SizeOf(type.basic);
-  int64_t alignment = 1;
-  for (const gtcalls::Member& member : type.structure->members) {
-    alignment = std::max(alignment, int64_t{SizeOf(TypeOfMember(member))});
-  }
-  return alignment;
+  return type.own != nullptr ? type.own->alignment : SizeOf(type.basic);
 }
 
 BasicType Lowerer::MemberType(const gtcalls::Member& member) const { return TypeOfMember(member); }

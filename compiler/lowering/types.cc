@@ -61,6 +61,10 @@ int64_t ConvertInteger(int64_t value, BasicType type) {
 
 std::string_view NameOf(BasicType type) { return RowOf(type).name; }
 
+std::string JoinNames(std::string_view whole, std::string_view part) {
+  return part.empty() ? std::string(whole) : fmt::format("{}_{}", whole, part);
+}
+
 std::string SpellSizes(const std::vector<int64_t>& dimensions) {
   std::string text;
   for (const int64_t size : dimensions) text += fmt::format("[{}]", size);

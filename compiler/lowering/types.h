@@ -32,15 +32,14 @@ struct OwnStructure;
 /// A type of C with its qualifiers.
 struct Type {
   BasicType basic = BasicType::kInt;
-  const gtcalls::Structure* structure = nullptr;  ///< one of the card
-  const OwnStructure* own = nullptr;              ///< one that the program defines
+  const OwnStructure* own = nullptr;  ///< of a structure
   bool is_const = false;
   /// The dimensions of a named array type, `typedef int row[4];`; nullptr for any other type. Only
   /// a declaration has it: what it declares has dimensions itself.
   const std::vector<int64_t>* rows = nullptr;
 };
 
-/// A member of a structure that the program defines.
+/// A member of a structure.
 struct OwnMember {
   std::string_view name;
   Type type;
@@ -49,19 +48,22 @@ struct OwnMember {
   int64_t begin = 0;  ///< its first value among those of the structure
 };
 
-/// What a structure has a variable of the card for: a number, an array of numbers, or a structure
-/// of the card.
+/// What a structure has a variable of the card for: a number or an array of numbers.
 struct Leaf {
   std::string name;     ///< `m`, or `inner_m` of a structure in it
   std::string written;  ///< `.m`, or `.inner[2].m[4]`
   Type type;
+  /// Of a member of a structure of the card: this structure, which has the names, and which member.
+  const gtcalls::Structure* card = nullptr;
+  int16_t member = 0;
   bool is_array = false;
   int64_t size = 1;  ///< values of an array; several dimensions are one
 };
 
-/// A structure that the program defines.
+/// A structure that the program defines, or one of the card.
 struct OwnStructure {
   std::string_view name;  ///< `struct Name`
+  const gtcalls::Structure* card = nullptr;
   bool complete = false;  ///< the members are known
   bool invalid = false;   ///< there was an error, and some members may be missing
   std::vector<OwnMember> members;
@@ -107,6 +109,9 @@ int64_t ConvertInteger(int64_t value, BasicType type);
 
 /// As C spells it.
 std::string_view NameOf(BasicType type);
+
+/// The name of a part of what has a name, `axis_target`; the part may have none.
+std::string JoinNames(std::string_view whole, std::string_view part);
 
 /// The sizes of an array as they are declared: `[2][3]`.
 std::string SpellSizes(const std::vector<int64_t>& dimensions);

@@ -17,6 +17,7 @@ std::vector<vm::Symbol> SymbolsOf(const Variable& variable) {
   symbol.array_size = static_cast<uint16_t>(variable.size);
   symbol.written = variable.written;
   if (variable.structure == nullptr) return {symbol};
+  if (variable.member > 0) return {};
   std::vector<vm::Symbol> members;
   for (const gtcalls::Member& member : variable.structure->members) {
     symbol.name = fmt::format("{}.{}", variable.name, member.name);

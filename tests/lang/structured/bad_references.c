@@ -18,7 +18,7 @@ void t0() {
   set(n); // expect error MP031
   set(&real); // expect error MP244
   set(fixed);
-  set(&trap.acc); // expect error MP031
+  set(&trap.acc); // expect error MP244
   set(m); // expect error MP244
   set(0); // expect error MP031
   set(&1); // expect error MP031

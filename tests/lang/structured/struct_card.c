@@ -8,11 +8,16 @@ struct move {
     double limit;
   } servo;
 } first = {1, {2.5, 3, 0.5, 4}, .servo.limit = 8}, second;
-int sizes, same, read, status, copies;
+int sizes, same, read, status, copies, swapped;
 double sum, acc;
 static struct move faster(struct move m, double by) {
   m.trap.acc *= by;
   return m;
+}
+static void exchange(double *a, double *b) {
+  double old = *a;
+  *a = *b;
+  *b = old;
 }
 static void slower(struct move *m) { m->trap.dec = m->trap.acc / 2; }
 void t0(void) {
@@ -32,6 +37,10 @@ void t0(void) {
   same = first.trap.acc == second.trap.acc && local.axis == 3;
   copies = other.axis * 10 + other.trap.smoothTime;
   GT_GetSts(1, &second.axis, 1, &status);
+  exchange(&trap.acc, &trap.dec);
+  exchange(&trap.dec, &other.trap.velStart);
+  swapped = trap.acc * 1000 + trap.dec * 100 + other.trap.velStart * 10 + trap.smoothTime;
+  //@ assert: trap.dec == 0.5 && other.trap.velStart == 2.5
   sizes = sizeof(struct move) * 1000 + sizeof first.trap;
 }
-// expect: sizes=104032, same=1, read=5, acc=2.5, sum=14.25, copies=74
+// expect: sizes=104032, same=1, read=5, acc=2.5, sum=14.25, copies=74, swapped=3079
