@@ -169,10 +169,8 @@ void Refusals::VisitFunction(const Function& function) {
 bool Refusals::IsReference(const ParameterDeclaration& parameter) const {
   const std::vector<const Token*>& words = parameter.specifiers.words;
   return parameter.declarator.pointer == 1 && parameter.declarator.sizes.empty() &&
-         std::none_of(words.begin(), words.end(), [this](const Token* word) {
-           return word->kind == Kind::kVoid ||
-                  options_.catalogue->FindStructure(word->text) != nullptr;
-         });
+         std::none_of(words.begin(), words.end(),
+                      [](const Token* word) { return word->kind == Kind::kVoid; });
 }
 
 // The name and the parameters.

@@ -79,10 +79,6 @@ std::optional<Lowerer::Symbol> Lowerer::BindReference(const ParameterDeclaration
                                                       const FunctionInfo& info) {
   const Declarator& declarator = parameter.declarator;
   const Type type = ResolveGlobalType(parameter.specifiers);
-  if (type.own != nullptr && type.own->card != nullptr) {
-    Report(Code::kBadParameter, parameter.range, Source(parameter.range));
-    return std::nullopt;
-  }
   std::optional<ArrayPlace> array = LowerArray(argument);
   std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
   if (!array || !dimensions) return std::nullopt;
@@ -207,9 +203,6 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
         symbol.dimensions.front() = 0;
         copies.push_back({{symbol.offset, Type{}}, offset, argument.range, {}});
       }
-    } else if (type.own != nullptr && type.own->card != nullptr) {
-      Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
-      return false;
     } else if (type.own != nullptr) {
       const std::optional<ArrayPlace> structure = LowerStructure(argument);
       if (!structure || !IsComplete(type, declarator.name, declarator.name_range)) return false;

@@ -47,11 +47,6 @@ void Lowerer::DeclareFunction(const Function& syntax) {
            MakeMessage("a function whose result is an array", "返回数组的函数"),
            MakeMessage("write the result to an array parameter", "请把结果写入数组参数"));
   }
-  if (info.type.own != nullptr && info.type.own->card != nullptr) {
-    Report(Code::kNotLowered, syntax.specifiers.range,
-           MakeMessage("a function whose result is a structure", "返回结构的函数"),
-           MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
-  }
   info.is_static = HasWord(syntax.specifiers, "static");
   symbol.type = info.type;
   symbol.function = &info;

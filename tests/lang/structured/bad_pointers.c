@@ -6,7 +6,7 @@ int *next(int x) { // expect error MP129
 }
 void f(int **out); // expect error MP129
 void g(int *out[2]); // expect error MP129
-void h(TTrapPrm *trap); // expect error MP129
+void h(TTrapPrm **trap); // expect error MP129
 void t0() {
   int c, d;
   d = (int *) c; // expect error MP203
