@@ -1,5 +1,9 @@
 // GT commands, which stay as they are: arguments become operands, and ints become doubles where the
-// command takes doubles. Everything else about them is checked in the lowered text.
+// command takes doubles. A structure of the card that is an element of an array has no address on
+// the card, so that it is copied to a variable before the command, and back behind it. Everything
+// else about them is checked in the lowered text.
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "compiler/lexer.h"
@@ -9,8 +13,40 @@
 
 namespace oncard::compiler::lowering {
 
+// The variable of a thread function in which commands get structures of a type.
+ArrayPlace Lowerer::PassedThrough(const Type& type, SourceRange range) {
+  const gtcalls::Structure* const card = type.own->card;
+  const auto [entry, added] = variables_.try_emplace(card, -1);
+  if (added) {
+    entry->second = NewVariable(Variable::Role::kLocal, fmt::format("tmp{}", card->name.substr(1)),
+                                type, {}, range);
+    // No call comes between its statements.
+    OwnByFrames(entry->second, type, 0);
+  }
+  return StructureAt(entry->second, type);
+}
+
+// A structure of the card as an argument; of an element of an array the variable that stands for
+// it, which becomes one of those that are passed.
+std::optional<Operand> Lowerer::LowerCardAddress(ArrayPlace structure, SourceRange range,
+                                                 std::vector<Passed>& passed) {
+  structure.offset = Stable(structure.offset, range);
+  structure.dimensions.clear();
+  std::optional<Operand> operand = ElementOf(structure, range);
+  if (!operand) return std::nullopt;
+  if (operand->kind == Operand::Kind::kElement) {
+    const ArrayPlace variable = PassedThrough(structure.element, range);
+    passed.push_back({structure, variable});
+    operand = VariableOperand(variable.variable);
+  }
+  // The whole structure is a variable.
+  operand->kind = Operand::Kind::kVariable;
+  return operand;
+}
+
 // `&variable`, `&array[index]`, `&structure`, and an array's name for its first element.
-std::optional<Operand> Lowerer::LowerAddress(const Expression& argument) {
+std::optional<Operand> Lowerer::LowerAddress(const Expression& argument,
+                                             std::vector<Passed>& passed) {
   const Expression& inner = WithoutParens(argument);
   const bool address = inner.kind == Expression::Kind::kUnary && inner.op == "&";
   const Expression& target = address ? WithoutParens(*inner.operands[0]) : inner;
@@ -19,15 +55,16 @@ std::optional<Operand> Lowerer::LowerAddress(const Expression& argument) {
   if (shape && IsAggregate(*shape)) {
     const std::optional<ArrayPlace> array = LowerArray(target);
     if (!array) return std::nullopt;
-    if (array->element.own != nullptr && array->element.own->card == nullptr) {
+    const OwnStructure* const own = array->element.own;
+    if (own != nullptr && own->card == nullptr) {
       ReportStructure(target);
       return std::nullopt;
     }
-    const std::optional<Operand> element = ElementOf(*array, target.range);
+    const std::optional<Operand> element = own != nullptr
+                                               ? LowerCardAddress(*array, target.range, passed)
+                                               : ElementOf(*array, target.range);
     if (!element) return std::nullopt;
     operand = *element;
-    // The whole structure is a variable.
-    if (array->element.own != nullptr) operand.kind = Operand::Kind::kVariable;
     if (operand.index >= 0) {
       operand.index = Stable(VariableOperand(operand.index), target.range).variable;
     }
@@ -88,6 +125,7 @@ void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& comma
   Instruction instruction;
   instruction.kind = Instruction::Kind::kCall;
   instruction.command = &command;
+  std::vector<Passed> passed;
   for (size_t i = 1; i < call.operands.size(); ++i) {
     const Expression& argument = *call.operands[i];
     const Expression& inner = WithoutParens(argument);
@@ -96,7 +134,7 @@ void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& comma
         i <= command.parameters.size() ? &command.parameters[i - 1] : nullptr;
     const bool by_value = parameter == nullptr || parameter->passing == gtcalls::Passing::kValue;
     if (address || (!by_value && IsArray(argument))) {
-      const std::optional<Operand> operand = LowerAddress(argument);
+      const std::optional<Operand> operand = LowerAddress(argument, passed);
       if (!operand) return;
       instruction.arguments.push_back(*operand);
       continue;
@@ -113,7 +151,16 @@ void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& comma
     }
     instruction.arguments.push_back(value.operand);
   }
+  // A command that fails leaves what it would write as it is.
+  for (const Passed& one : passed) CopyStructure(one.variable, one.element, call.range);
   Emit(std::move(instruction), call.range);
+  const bool writes = std::any_of(command.parameters.begin(), command.parameters.end(),
+                                  [](const gtcalls::Parameter& parameter) {
+                                    return parameter.structure != nullptr &&
+                                           parameter.passing != gtcalls::Passing::kInput;
+                                  });
+  if (!writes) return;
+  for (const Passed& one : passed) CopyStructure(one.element, one.variable, call.range);
 }
 
 }  // namespace oncard::compiler::lowering

@@ -36,12 +36,24 @@ int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
   return size;
 }
 
-// What a variable of a type has variables of the card for.
-std::vector<Leaf> LeavesIn(const Type& type) {
-  if (type.own != nullptr) return type.own->leaves;
-  Leaf leaf;
-  leaf.type = type;
-  return {leaf};
+// What a variable of a type has variables of the card for. The members of a structure of the card
+// that is repeated are arrays.
+std::vector<Leaf> LeavesIn(const Type& type, const std::vector<int64_t>& dimensions) {
+  if (type.own == nullptr) {
+    Leaf leaf;
+    leaf.type = type;
+    return {leaf};
+  }
+  std::vector<Leaf> leaves = type.own->leaves;
+  for (Leaf& leaf : leaves) {
+    if (leaf.card == nullptr || (dimensions.empty() && !leaf.is_array)) continue;
+    const std::string_view member = leaf.card->members[static_cast<size_t>(leaf.member)].name;
+    leaf.name = leaf.name.empty() ? std::string(member) : JoinNames(leaf.name, member);
+    leaf.written += fmt::format(".{}", member);
+    leaf.card = nullptr;
+    leaf.member = 0;
+  }
+  return leaves;
 }
 
 // Of the members of a structure of the card the first one has its name.
@@ -169,9 +181,9 @@ std::string Lowerer::NewWrittenName(std::string_view wish) {
 int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type,
                          const std::vector<int64_t>& dimensions, SourceRange range) {
   const int first = static_cast<int>(program_.variables.size());
-  const bool own = type.own != nullptr && type.own->card == nullptr;
+  const bool own = type.own != nullptr && (type.own->card == nullptr || !dimensions.empty());
   const std::string written = own ? NewWrittenName(wish) : std::string();
-  for (const Leaf& leaf : LeavesIn(type)) {
+  for (const Leaf& leaf : LeavesIn(type, dimensions)) {
     const std::string name = IsNamed(leaf) ? names_.Make(JoinNames(wish, leaf.name)) : "";
     if (!name.empty()) local_names_.insert(name);
     Variable variable = VariableFor(leaf, dimensions, own ? written : name, name);
@@ -186,7 +198,7 @@ int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type&
 int Lowerer::NewGlobal(const std::string& name, const Type& type,
                        const std::vector<int64_t>& dimensions, SourceRange range) {
   const int first = static_cast<int>(program_.variables.size());
-  for (const Leaf& leaf : LeavesIn(type)) {
+  for (const Leaf& leaf : LeavesIn(type, dimensions)) {
     std::string own_name = IsNamed(leaf) ? JoinNames(name, leaf.name) : "";
     if (!leaf.name.empty() && IsNamed(leaf)) own_name = NewGlobalName(own_name);
     Variable variable = VariableFor(leaf, dimensions, name, std::move(own_name));
@@ -377,9 +389,7 @@ bool Lowerer::DeclareConstant(const Declarator& declarator, const Type& type) {
 void Lowerer::SetDimensions(const Declarator& declarator, bool is_extern, Symbol& symbol) {
   std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, symbol.type);
   symbol.type.rows = nullptr;
-  symbol.invalid = !dimensions ||
-                   !IsComplete(symbol.type, declarator.name, declarator.name_range) ||
-                   (!dimensions->empty() && !CanRepeat(symbol.type, declarator));
+  symbol.invalid = !dimensions || !IsComplete(symbol.type, declarator.name, declarator.name_range);
   if (symbol.invalid) return;
   symbol.dimensions = std::move(*dimensions);
   const int64_t values = Width({symbol.type, symbol.dimensions});

@@ -221,6 +221,11 @@ class Lowerer {
     SourceRange range;
     std::optional<ArrayPlace> structure;  // that of a parameter that is one
   };
+  // A structure of the card in an array, and the variable in which a command gets it.
+  struct Passed {
+    ArrayPlace element;
+    ArrayPlace variable;
+  };
   // Where the statements of a called function leave their result and lead.
   struct BodyEnd {
     int body = 0;
@@ -303,7 +308,6 @@ class Lowerer {
   const OwnStructure* CardStructure(const gtcalls::Structure& card);
   const OwnStructure* FindStructure(const StructSpecifier& syntax, const Scope* scope) const;
   bool IsComplete(const Type& type, std::string_view name, SourceRange range);
-  bool CanRepeat(const Type& type, const Declarator& declarator);
   void DefineStructure(const StructSpecifier& syntax);
   void AddMember(OwnStructure& structure, const Declarator& declarator, const Type& type);
   static const OwnMember* MemberOf(const OwnStructure& structure, std::string_view name);
@@ -525,7 +529,10 @@ class Lowerer {
 
   // --- commands.cc ---
   void LowerCommand(const Expression& call, const gtcalls::Command& command);
-  std::optional<Operand> LowerAddress(const Expression& argument);
+  ArrayPlace PassedThrough(const Type& type, SourceRange range);
+  std::optional<Operand> LowerCardAddress(ArrayPlace structure, SourceRange range,
+                                          std::vector<Passed>& passed);
+  std::optional<Operand> LowerAddress(const Expression& argument, std::vector<Passed>& passed);
   void NameConstant(const Expression& argument, Operand& value);
   bool IsFreeName(std::string_view name) const;
 

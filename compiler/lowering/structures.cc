@@ -3,7 +3,8 @@
 // themselves. Their variables have consecutive numbers, so that a member of a place is found by
 // adding its first leaf. An array of structures becomes an array for each leaf: of `a[i].m[j]` the
 // leaf is `a_m`, and the index `i * 3 + j`. The leaves of a structure of the card are one variable
-// of the card, whose members they name.
+// of the card, whose members they name; in an array they are arrays as well, and commands get the
+// structure through a variable (commands.cc).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -79,19 +80,6 @@ bool Lowerer::IsComplete(const Type& type, std::string_view name, SourceRange ra
   return false;
 }
 
-// A card's structure cannot be the element of an array.
-bool Lowerer::CanRepeat(const Type& type, const Declarator& declarator) {
-  const bool repeats =
-      type.own == nullptr || std::none_of(type.own->leaves.begin(), type.own->leaves.end(),
-                                          [](const Leaf& leaf) { return leaf.card != nullptr; });
-  if (!repeats) {
-    Report(Code::kNotLowered, declarator.head,
-           MakeMessage("an array of structures of the card", "控制卡结构的数组"),
-           MakeMessage("declare several variables", "请声明多个变量"));
-  }
-  return repeats;
-}
-
 void Lowerer::DefineStructure(const StructSpecifier& syntax) {
   const auto [entry, added] = structures_.try_emplace(&syntax);
   OwnStructure& structure = entry->second;
@@ -118,9 +106,8 @@ void Lowerer::AddMember(OwnStructure& structure, const Declarator& declarator, c
   const std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator, type);
   const bool again = MemberOf(structure, declarator.name) != nullptr;
   if (again) Report(Code::kRedefinition, declarator.name_range, declarator.name);
-  const bool good = dimensions && !again &&
-                    IsComplete(type, declarator.name, declarator.name_range) &&
-                    (dimensions->empty() || CanRepeat(type, declarator));
+  const bool good =
+      dimensions && !again && IsComplete(type, declarator.name, declarator.name_range);
   if (!good) {
     structure.invalid = true;
     return;

@@ -461,6 +461,8 @@ TEST(LoweringNames, Globals) {
       "struct point { int x; row y[2]; };\n"
       "struct axis { double at; struct point to[3]; TTrapPrm trap; } axis;\n"
       "struct point p, list[2][5];\n"
+      "struct jog { TJogPrm jog; } jogs[2][3];\n"
+      "TJogPrm spare[4];\n"
       "int v, data[4], m[2][3], list_x;\n"
       "void t0() { static struct point last; last.x++; static int n; n++; }\n");
   ASSERT_TRUE(lowering.object.has_value());
@@ -471,7 +473,10 @@ TEST(LoweringNames, Globals) {
                            "axis_trap.dec: axis.trap.dec", "axis_trap.velStart: axis.trap.velStart",
                            "axis_trap.smoothTime: axis.trap.smoothTime", "p_x: p.x",
                            "p_y: p.y[2][4]", "list_x_2: list[2][5].x", "list_y: list[2][5].y[2][4]",
-                           "m: m[2][3]", "t0_last_x: t0_last.x", "t0_last_y: t0_last.y[2][4]"));
+                           "jogs_jog_acc: jogs[2][3].jog.acc", "jogs_jog_dec: jogs[2][3].jog.dec",
+                           "jogs_jog_smooth: jogs[2][3].jog.smooth", "spare_acc: spare[4].acc",
+                           "spare_dec: spare[4].dec", "spare_smooth: spare[4].smooth", "m: m[2][3]",
+                           "t0_last_x: t0_last.x", "t0_last_y: t0_last.y[2][4]"));
 }
 
 // Two locals of a thread function may be called alike, and like a global.
@@ -481,16 +486,19 @@ TEST(LoweringNames, Locals) {
       "int sum(struct point a) { return a.x + a.y; }\n"
       "void t0(int n) {\n"
       "  struct point p = {n, 2}, q[2];\n"
+      "  TJogPrm j, k[2], l[2][1];\n"
       "  int m[2][2], d[4];\n"
       "  { struct point p = {n, 4}; q[n] = p; m[n][1] = d[n] = sum(p); }\n"
       "  GT_SetVel(q[1].y, sum(p) + m[1][n] + d[n]);\n"
+      "  GT_SetJogPrm(1, &k[n]);\n  GT_SetJogPrm(1, &j);\n  l[n][0].dec = 1;\n"
       "}\n",
       {.optimize = false});
   ASSERT_TRUE(lowering.object.has_value());
   EXPECT_THAT(
       Written(lowering.object->functions[0].variables),
-      testing::ElementsAre("p_x_2: p.x", "p_y_2: p.y", "q_x: q[2].x", "q_y: q[2].y", "m: m[2][2]",
-                           "p_x_3: p_2.x", "p_y_3: p_2.y", "sum_a_x: sum_a.x", "sum_a_y: sum_a.y"));
+      testing::ElementsAre("p_x_2: p.x", "p_y_2: p.y", "q_x: q[2].x", "q_y: q[2].y", "k_acc: k[2].acc",
+                           "k_dec: k[2].dec", "k_smooth: k[2].smooth", "l_dec: l[2][1].dec",
+                           "m: m[2][2]", "p_x_3: p_2.x", "p_y_3: p_2.y", "sum_a_x: sum_a.x", "sum_a_y: sum_a.y"));
 }
 
 // The lowered program has no names of C.
@@ -500,9 +508,11 @@ TEST(LoweringNames, InComments) {
       "//@ always: axis[1].target < 0x10 && m[1][2] + m[1] == axis_target[1] * 2e3\n"
       "//@ final: page0.old.gains[1] == 2.5 && p == 3 && axis1.prfPos == 0\n"
       "//@ sync: axis, q\n"
+      "//@ never: move[2].trap.acc > 1.5 || one.smooth == jogs[0][1].smooth\n"
       "//@ within 5 ms: q[1].x -> q[0].y\n"
       "struct axis { int target; double gains[2]; } axis[3];\n"
       "struct { int x; int y; } q[2];\nint m[2][3], p, within;\n"
+      "struct { TTrapPrm trap; } move[3];\nTJogPrm one, jogs[1][2];\n"
       "void t0() { struct axis old = axis[1]; GT_SetVel(1, old.gains[1]); }\n");
   ASSERT_TRUE(lowering.text.has_value());
   EXPECT_THAT(*lowering.text,
@@ -510,6 +520,7 @@ TEST(LoweringNames, InComments) {
                   "//@ always: axis_target[1] < 0x10 && m[5] + m[1] == axis_target[1] * 2e3\n"
                   "//@ final: page0.old_gains[1] == 2.5 && p == 3 && axis1.prfPos == 0\n"
                   "//@ sync: axis_target, axis_gains, q_x, q_y\n"
+                  "//@ never: move_trap_acc[2] > 1.5 || one.smooth == jogs_smooth[1]\n"
                   "//@ within 5 ms: q_x[1] -> q_y[0]\n"));
 }
 

@@ -133,22 +133,27 @@ TEST_F(HostTest, ReadsStructuredCAndItsIncludes) {
 TEST_F(HostTest, NamesVariablesAsStructuredCDoes) {
   Load(
       "//@ structured\nstruct axis { int target; double gains[2]; } axis[2];\nint m[2][3];\n"
+      "struct { TJogPrm jog; } moves[2];\n"
       "void f() {\n  struct axis old = {2, {0.5}};\n  axis[1] = old;\n  m[1][2] = old.target;\n"
-      "}\n");
+      "  moves[1].jog.dec = 1.5;\n}\n");
   Result("forward", {{"goal", "stop"}});
   std::vector<std::string> globals;
   for (const Json& variable : Result("variables")) {
     globals.push_back(variable["path"].get<std::string>() + " " + variable["value"].dump());
   }
-  EXPECT_EQ(globals, (std::vector<std::string>{"axis[0].target 0", "axis[0].gains [0.0,0.0]",
-                                               "axis[1].target 2", "axis[1].gains [0.5,0.0]",
-                                               "m[0] [0,0,0]", "m[1] [0,0,2]"}));
+  EXPECT_EQ(globals,
+            (std::vector<std::string>{
+                "axis[0].target 0", "axis[0].gains [0.0,0.0]", "axis[1].target 2",
+                "axis[1].gains [0.5,0.0]", "m[0] [0,0,0]", "m[1] [0,0,2]", "moves[0].jog.acc 0.0",
+                "moves[0].jog.dec 0.0", "moves[0].jog.smooth 0.0", "moves[1].jog.acc 0.0",
+                "moves[1].jog.dec 1.5", "moves[1].jog.smooth 0.0"}));
   const Json local = Result("variables", {{"page", 0}})[0];
   EXPECT_EQ(local["name"], "old.gains");
   EXPECT_EQ(local["path"], "page0.old.gains");
   EXPECT_EQ(Result("evaluate", {{"text", "axis[1].target"}})["value"], 2);
   EXPECT_EQ(Result("evaluate", {{"text", "axis_target[1]"}})["value"], 2);
   EXPECT_EQ(Result("evaluate", {{"text", "axis[1].gains"}})["value"], Json({0.5, 0.0}));
+  EXPECT_EQ(Result("evaluate", {{"text", "moves[1].jog.dec"}})["value"], 1.5);
   EXPECT_EQ(Result("evaluate", {{"text", "m[1][2] == 2 && axis[1].target == 2"}})["holds"], true);
 }
 

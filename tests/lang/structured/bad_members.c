@@ -6,7 +6,7 @@ struct self { struct self inner; }; // expect error MP206
 struct later l; // expect error MP206
 struct large { int a[1000]; int b[25]; }; // expect error MP016
 struct point many[513]; // expect error MP016
-struct card { TTrapPrm trap; } cards[2]; // expect error MP236
+struct card { TTrapPrm trap; } cards[257]; // expect error MP016
 struct point p = {1, 2, 3}; // expect error MP242
 struct point w = {.z = 1}; // expect error MP029
 struct point r = {[0] = 1}; // expect error MP029
