@@ -139,6 +139,12 @@ void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& comma
       instruction.arguments.push_back(*operand);
       continue;
     }
+    const std::optional<Shape> shape = ShapeOf(inner);
+    if (!by_value && shape && shape->dimensions.empty() && shape->type.own != nullptr) {
+      Report(Code::kMisuse, inner.range, Source(inner.range), MakeMessage("a structure", "结构"),
+             MakeMessage("its address: '&{0}'", "它的地址：'&{0}'", Source(inner.range)));
+      return;
+    }
     Value value = LowerValue(argument);
     if (!RequireNumber(value, argument)) return;
     if (parameter != nullptr && by_value) {

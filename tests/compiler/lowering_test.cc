@@ -193,6 +193,15 @@ TEST(Lowering, NamesTheMemberThatIsMeant) {
   }
 }
 
+TEST(Lowering, CommandsTakeTheAddressOfAStructure) {
+  const Lowering lowering =
+      Lower("TTrapPrm traps[2];\nvoid t0(int i) { GT_SetTrapPrm(1, (traps[i])); }\n");
+  ASSERT_EQ(lowering.diagnostics.size(), 1u);
+  EXPECT_THAT(lowering.diagnostics[0].message.en,
+              testing::EndsWith("expected its address: '&traps[i]'"));
+  EXPECT_THAT(lowering.diagnostics[0].message.zh, testing::HasSubstr("它的地址：'&traps[i]'"));
+}
+
 TEST(Lowering, CountsWhatAFunctionTakes) {
   const Lowering lowering =
       Lower("int v, list[3];\nvoid t0(int n) {\n  while (n > 0) v += n--;\n}\n");
@@ -494,11 +503,11 @@ TEST(LoweringNames, Locals) {
       "}\n",
       {.optimize = false});
   ASSERT_TRUE(lowering.object.has_value());
-  EXPECT_THAT(
-      Written(lowering.object->functions[0].variables),
-      testing::ElementsAre("p_x_2: p.x", "p_y_2: p.y", "q_x: q[2].x", "q_y: q[2].y", "k_acc: k[2].acc",
-                           "k_dec: k[2].dec", "k_smooth: k[2].smooth", "l_dec: l[2][1].dec",
-                           "m: m[2][2]", "p_x_3: p_2.x", "p_y_3: p_2.y", "sum_a_x: sum_a.x", "sum_a_y: sum_a.y"));
+  EXPECT_THAT(Written(lowering.object->functions[0].variables),
+              testing::ElementsAre("p_x_2: p.x", "p_y_2: p.y", "q_x: q[2].x", "q_y: q[2].y",
+                                   "k_acc: k[2].acc", "k_dec: k[2].dec", "k_smooth: k[2].smooth",
+                                   "l_dec: l[2][1].dec", "m: m[2][2]", "p_x_3: p_2.x",
+                                   "p_y_3: p_2.y", "sum_a_x: sum_a.x", "sum_a_y: sum_a.y"));
 }
 
 // The lowered program has no names of C.
