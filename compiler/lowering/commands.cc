@@ -50,6 +50,7 @@ std::optional<Operand> Lowerer::LowerAddress(const Expression& argument,
   const Expression& inner = WithoutParens(argument);
   const bool address = inner.kind == Expression::Kind::kUnary && inner.op == "&";
   const Expression& target = address ? WithoutParens(*inner.operands[0]) : inner;
+  if (address && !CheckPlace(target)) return std::nullopt;
   const std::optional<Shape> shape = ShapeOf(target);
   Operand operand;
   if (shape && IsAggregate(*shape)) {

@@ -443,6 +443,7 @@ class Lowerer {
   bool IsOwnMember(const Expression& expression) const;
   void ReportNotAStructure(const Expression& member);
   void ReportUndeclared(const Expression& name);
+  bool CheckPlace(const Expression& expression);
   bool CheckWritable(const Place& place, const Expression& expression);
 
   // --- assignments.cc ---

@@ -38,7 +38,23 @@ void Lowerer::ReportUndeclared(const Expression& name) {
   AddNote(*diagnostic, MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
 }
 
+// `f().m`, `(a = b).m` and the like are parts of values, which C does not let be changed.
+bool Lowerer::CheckPlace(const Expression& expression) {
+  const Expression* whole = &WithoutParens(expression);
+  while (whole->kind == Expression::Kind::kMember && whole->op == ".") {
+    whole = &WithoutParens(*whole->operands[0]);
+  }
+  using Kind = Expression::Kind;
+  const bool is_value = whole->kind == Kind::kCall || whole->kind == Kind::kAssign ||
+                        whole->kind == Kind::kConditional || whole->kind == Kind::kComma;
+  if (!is_value) return true;
+  Report(Code::kMisuse, expression.range, Source(expression.range), MakeMessage("a value", "值"),
+         MakeMessage("a variable, an element or a member of one", "变量、数组元素或它们的成员"));
+  return false;
+}
+
 bool Lowerer::CheckWritable(const Place& place, const Expression& expression) {
+  if (!CheckPlace(expression)) return false;
   if (!place.type.is_const) return true;
   Report(Code::kWriteToConst, expression.range, Source(expression.range));
   return false;
@@ -67,6 +83,11 @@ std::optional<ArrayPlace> Lowerer::LowerNamedArray(const Expression& name) {
     return std::nullopt;
   }
   if (!IsUsable(*symbol, name.text)) return std::nullopt;
+  if (symbol->kind == Symbol::Kind::kFunction) {
+    Report(Code::kMisuse, name.range, name.text, MakeMessage("a function", "函数"),
+           MakeMessage("a call: '{0}(...)'", "函数调用：'{0}(...)'", name.text));
+    return std::nullopt;
+  }
   if (symbol->dimensions.empty() && symbol->type.own == nullptr) {
     Report(Code::kMisuse, name.range, name.text, MakeMessage("not an array", "不是数组"),
            MakeMessage("an array before '['", "'[' 之前应为数组"));
@@ -78,6 +99,7 @@ std::optional<ArrayPlace> Lowerer::LowerNamedArray(const Expression& name) {
 // `&target`: an array whose first element, or row, it is.
 std::optional<ArrayPlace> Lowerer::LowerAddressed(const Expression& target) {
   const Expression& inner = WithoutParens(target);
+  if (!CheckPlace(inner)) return std::nullopt;
   const Symbol* symbol = inner.kind == Expression::Kind::kName ? Lookup(inner.text) : nullptr;
   const bool number = symbol != nullptr && symbol->kind == Symbol::Kind::kVariable &&
                       symbol->dimensions.empty() && symbol->type.basic != BasicType::kStructure;

@@ -275,6 +275,7 @@ std::optional<ArrayPlace> Lowerer::LowerStructure(const Expression& expression) 
 
 std::optional<ArrayPlace> Lowerer::AssignStructure(const Expression& target,
                                                    const Expression& value) {
+  if (!CheckPlace(target)) return std::nullopt;
   std::optional<ArrayPlace> to = LowerStructure(target);
   if (!to) return std::nullopt;
   const std::vector<Leaf>& leaves = to->element.own->leaves;

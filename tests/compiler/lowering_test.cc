@@ -202,6 +202,21 @@ TEST(Lowering, CommandsTakeTheAddressOfAStructure) {
   EXPECT_THAT(lowering.diagnostics[0].message.zh, testing::HasSubstr("它的地址：'&traps[i]'"));
 }
 
+TEST(Lowering, ValuesAndFunctionsAreNoPlaces) {
+  const Lowering lowering = Lower(
+      "struct pair { int x; } a;\nstruct pair make() { return a; }\n"
+      "void t0() { make().x = 1; a = make; }\n");
+  ASSERT_EQ(lowering.diagnostics.size(), 2u);
+  const Message& value = lowering.diagnostics[0].message;
+  EXPECT_THAT(value.en,
+              testing::HasSubstr("is a value and cannot stand here; expected a variable"));
+  EXPECT_THAT(value.zh, testing::HasSubstr("变量、数组元素或它们的成员"));
+  const Message& function = lowering.diagnostics[1].message;
+  EXPECT_THAT(function.en,
+              testing::HasSubstr("is a function and cannot stand here; expected a call"));
+  EXPECT_THAT(function.zh, testing::HasSubstr("函数调用：'make(...)'"));
+}
+
 TEST(Lowering, CountsWhatAFunctionTakes) {
   const Lowering lowering =
       Lower("int v, list[3];\nvoid t0(int n) {\n  while (n > 0) v += n--;\n}\n");
