@@ -4,7 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "random_choices.h"
@@ -12,20 +14,38 @@
 namespace oncard::differential {
 namespace {
 
-constexpr int kTypes = 2;
+// The structures: two of the program, which begin with kPair, and those of the card.
+constexpr int kPair = 0;
+constexpr int kOuter = 1;
+constexpr int kTrap = 2;
+constexpr int kPid = 3;
+constexpr int kTypes = 4;
 constexpr int kNumber = -1;  // the type of a member that is no structure
+
+constexpr const char* kNames[kTypes] = {"struct pair", "struct outer", "TTrapPrm", "TPid"};
 
 struct Member {
   std::string name;
   std::string words;  // of its type
   int type = kNumber;
   int size = 0;  // of an array
+
+  // On the card such a number has 16 bits behind the point, so it is always an integer below 2^31.
+  bool IsReal() const { return words == "double"; }
 };
 
 // A structure that an expression names.
 struct Named {
   std::string text;
   int type = 0;
+};
+
+// A number in a structure.
+struct Place {
+  std::string text;
+  bool is_real = false;
+
+  std::string Read() const { return is_real ? "(int)" + text : text; }
 };
 
 class Generator : RandomChoices {
@@ -35,44 +55,58 @@ class Generator : RandomChoices {
   StructuredProgram Make() {
     std::string& text = program_.text;
     program_.globals = {"g0", "g1", "g2", "g3"};
-    for (int type = 0; type < kTypes; ++type) text += Definition(type);
-    text += fmt::format("int g0, g1 = 5, g2, g3;\nstruct pair s0 = {0}, s1;\n", Values(0));
-    text += fmt::format("struct outer w = {};\nstruct pair a[3] = {{{}, [2] = {}}};\n", Values(1),
-                        Values(0), Values(0));
-    globals_ = {{"s0", 0}, {"s1", 0}, {"w", 1}, {"a[*]", 0}};
+    members_[kTrap] = {
+        {"acc", "double"}, {"dec", "double"}, {"velStart", "double"}, {"smoothTime", "short"}};
+    members_[kPid] = {{"kp", "double"},
+                      {"ki", "double"},
+                      {"kd", "double"},
+                      {"kvff", "double"},
+                      {"kaff", "double"},
+                      {"integralLimit", "long"},
+                      {"derivativeLimit", "long"},
+                      {"limit", "short"}};
+    text += Definition(kPair) + Definition(kOuter);
+    text += fmt::format("int g0, g1 = 5, g2, g3;\nstruct pair s0 = {0}, s1;\n", Values(kPair));
+    text += fmt::format("struct outer w = {};\nstruct pair a[3] = {{{}, [2] = {}}};\n",
+                        Values(kOuter), Values(kPair), Values(kPair));
+    text += fmt::format("TTrapPrm h = {}, c[3] = {{{}, {}}};\nTPid e[3];\n", Values(kTrap),
+                        Values(kTrap), Values(kTrap));
+    globals_ = {{"s0", kPair}, {"s1", kPair},   {"w", kOuter}, {"a[*]", kPair},
+                {"h", kTrap},  {"c[*]", kTrap}, {"e[*]", kPid}};
     structures_ = globals_;
-    for (int type = 0; type < kTypes; ++type) text += Digest(type);
+    for (const int type : {kTrap, kPid, kPair, kOuter}) text += Digest(type);
     for (int type = 0; type < kTypes; ++type) text += ByReference(type) + ByValue(type);
     structures_ = globals_;
-    for (const char* const name : {"l", "m[*]"}) structures_.push_back({name, 0});
-    structures_.push_back({"k", 1});
+    for (const char* const name : {"l", "m[*]"}) structures_.push_back({name, kPair});
+    structures_.push_back({"k", kOuter});
+    structures_.push_back({"o[*]", kTrap});
     calls_ = true;
     text += fmt::format(
         "int f() {{\n  int x = 1, y = 2, z = 3;\n  struct pair l = {}, m[3] = {{{}, s1, l}};\n"
-        "  struct outer k = {};\n",
-        Values(0), Values(0), Chance(50) ? "w" : Values(1));
+        "  struct outer k = {};\n  TTrapPrm o[3] = {{h, {}}};\n",
+        Values(kPair), Values(kPair), Chance(50) ? "w" : Values(kOuter), Values(kTrap));
     for (int i = Between(4, 7); i > 0; --i) text += Statement(2, "  ");
-    text += "  g3 += d0(&s0) + d0(&s1) * 3;\n  g2 ^= d1(&w) - d1(&k);\n";
-    text += "  for (x = 0; x < 3; x++) g1 = g1 * 5 + d0(&a[x]) - d0(m + x);\n";
+    text += "  g3 += d0(&s0) + d0(&s1) * 3 + d2(&h);\n  g2 ^= d1(&w) - d1(&k);\n";
+    text +=
+        "  for (x = 0; x < 3; x++) {\n    g1 = g1 * 5 + d0(&a[x]) - d0(m + x);\n"
+        "    g0 = g0 * 5 + d2(c + x) - d2(&o[x]) + d3(e + x) * 7;\n  }\n";
     text += "  return d0(&l) ^ y ^ z;\n}\n";
     return std::move(program_);
   }
 
  private:
-  static std::string Name(int type) { return type == 0 ? "pair" : "outer"; }
-
-  // The first structure has numbers and arrays of them, the other one such structures, too.
+  // The first structure has numbers, arrays of them and perhaps one of the card; the other one
+  // such structures, too.
   std::string Definition(int type) {
-    std::string text = fmt::format("struct {} {{\n", Name(type));
+    std::string text = fmt::format("{} {{\n", kNames[type]);
     const int count = Between(2, 3);
     for (int i = 0; i < count; ++i) {
       Member member;
       member.name = fmt::format("p{}", i);
       member.words = Pick({"int", "int", "short", "unsigned char"});
-      if (type > 0 && (i == 0 || Chance(30))) {
-        member.type = 0;
-        member.words = "struct pair";
-      }
+      if (type == kOuter && (i == 0 || Chance(30))) member.type = Chance(60) ? kPair : kTrap;
+      if (type == kPair && i == 1 && Chance(70)) member.type = Chance(70) ? kTrap : kPid;
+      if (member.type != kNumber) member.words = kNames[member.type];
       if (Chance(40)) member.size = Between(1, member.type == kNumber ? 7 : 2);
       text += fmt::format("  {} {}", member.words, member.name);
       text += member.size > 0 ? fmt::format("[{}];\n", member.size) : ";\n";
@@ -84,10 +118,11 @@ class Generator : RandomChoices {
   // The sum of all members.
   std::string Digest(int type) const {
     std::string text =
-        fmt::format("static int d{}(const struct {} *p) {{\n  int s = 1;\n", type, Name(type));
+        fmt::format("static int d{}(const {} *p) {{\n  int s = 1;\n", type, kNames[type]);
     for (const Member& member : members_[type]) {
-      const std::string term = member.type == kNumber ? "{}p->{}{}" : "d0({}p->{}{})";
-      const char* const address = member.type == kNumber ? "" : "&";
+      const std::string term =
+          member.type == kNumber ? "{}p->{}{}" : fmt::format("d{}({{}}p->{{}}{{}})", member.type);
+      const char* const address = member.type != kNumber ? "&" : member.IsReal() ? "(int)" : "";
       if (member.size == 0) {
         text +=
             "  s = s * 7 + " + fmt::format(fmt::runtime(term), address, member.name, "") + ";\n";
@@ -127,7 +162,7 @@ class Generator : RandomChoices {
     return fmt::format("({} & 7) % {}", Pick({"x", "y"}), size);
   }
 
-  // A structure that can be assigned.
+  // A structure that can be assigned, or one in it.
   Named Structure() {
     Named named =
         structures_[static_cast<size_t>(Between(0, static_cast<int>(structures_.size()) - 1))];
@@ -135,16 +170,17 @@ class Generator : RandomChoices {
     if (star != std::string::npos && named.text[star - 1] == '[') {
       named.text.replace(star, 1, Index(3));
     }
-    while (named.type > 0 && Chance(60)) {
+    while (Chance(60)) {
+      std::vector<const Member*> inner;
       for (const Member& member : members_[named.type]) {
-        if (member.type == kNumber || (Chance(50) && &member != &members_[named.type].front())) {
-          continue;
-        }
-        named.text += "." + member.name;
-        if (member.size > 0) named.text += fmt::format("[{}]", Index(member.size));
-        named.type = member.type;
-        break;
+        if (member.type != kNumber) inner.push_back(&member);
       }
+      if (inner.empty()) break;
+      const Member& member =
+          *inner[static_cast<size_t>(Between(0, static_cast<int>(inner.size()) - 1))];
+      named.text += "." + member.name;
+      if (member.size > 0) named.text += fmt::format("[{}]", Index(member.size));
+      named.type = member.type;
     }
     return named;
   }
@@ -155,10 +191,10 @@ class Generator : RandomChoices {
     return named;
   }
 
-  // A number in a structure.
-  std::string Number() {
+  Place Number() {
     const Named named = Structure();
     std::string text = named.text;
+    bool is_real = false;
     for (int type = named.type; type != kNumber;) {
       const std::vector<Member>& members = members_[type];
       const Member& member =
@@ -167,8 +203,18 @@ class Generator : RandomChoices {
       text += member.name;
       if (member.size > 0) text += fmt::format("[{}]", Index(member.size));
       type = member.type;
+      is_real = member.IsReal();
     }
-    return text;
+    return {text, is_real};
+  }
+
+  // `place op value;`
+  std::string Assignment(std::initializer_list<std::string_view> operators, int depth) {
+    const Place place = Number();
+    if (!place.is_real) {
+      return fmt::format("{} {} {};\n", place.text, Pick(operators), Value(depth));
+    }
+    return fmt::format("{} {} {} & 1023;\n", place.text, Pick({"=", "+=", "-="}), Value(depth));
   }
 
   // Without effects.
@@ -180,7 +226,7 @@ class Generator : RandomChoices {
         case 1:
           return Pick({"x", "y", "g0", "g1"});
         default:
-          return Number();
+          return Number().Read();
       }
     }
     if (Chance(20)) {
@@ -216,41 +262,55 @@ class Generator : RandomChoices {
       return fmt::format("{0}for (int i = 0; i < {1}; i++) {{\n{2}{0}  y += i;\n{0}}}\n", indent,
                          Between(1, 3), Statement(depth - 1, inner));
     }
+    if (Chance(20)) return indent + Command();
     const Named named = Structure();
     switch (Between(0, calls_ ? 6 : 3)) {
       case 0:
       case 1:
-        return fmt::format("{}{} {} {};\n", indent, Number(), Pick({"=", "+=", "^="}), Value(2));
+        return indent + Assignment({"=", "+=", "^="}, 2);
       case 2:
-        return fmt::format("{}{}{};\n", indent, Number(), Pick({"++", "--"}));
+        return fmt::format("{}{}{};\n", indent, Number().text, Pick({"++", "--"}));
       case 3:
         return fmt::format("{}{} = {};\n", indent, named.text, Source(named.type, 1));
       case 4:
         return fmt::format("{}x = r{}(&{}, {}, {});\n", indent, named.type, named.text,
                            Structure(named.type).text, Value(1));
       case 5:
-        return fmt::format("{}z += v{}({}, {}).p0{};\n", indent, named.type, Source(named.type, 1),
-                           Value(1), First(named.type));
+        return fmt::format("{}z += (int)v{}({}, {}){};\n", indent, named.type,
+                           Source(named.type, 1), Value(1), First(named.type));
       default:
-        return fmt::format("{}y = r0({}, {}, x);\n", indent, Pick({"a + 1", "&a[x & 1]", "a"}),
-                           Source(0, 1));
+        if (Chance(50)) {
+          return fmt::format("{}y = r0({}, {}, x);\n", indent, Pick({"a + 1", "&a[x & 1]", "a"}),
+                             Source(kPair, 1));
+        }
+        return fmt::format("{}y = r2({}, {}, x);\n", indent, Pick({"c + 1", "&o[x & 1]", "c"}),
+                           Source(kTrap, 1));
     }
   }
 
-  // What leads from the first member of a structure to a number.
+  // One that keeps a structure, or reads it back; it fails unless the axis is from 1 to 4. A
+  // constant that is no axis would be refused.
+  std::string Command() {
+    const Named named = Structure(Chance(70) ? kTrap : kPid);
+    return fmt::format("GT_{}{}({}, {}&{});\n", Pick({"Set", "Get"}),
+                       named.type == kTrap ? "TrapPrm" : "Pid",
+                       Pick({"1", "3", "4", "6", "g0 & 7", "g1 & 7", "(x & 3) + 1", "(y & 3) + 1"}),
+                       named.type == kTrap ? "" : "1, ", named.text);
+  }
+
+  // What leads from a structure to its first number.
   std::string First(int type) const {
     const Member& member = members_[type].front();
-    return (member.size > 0 ? "[0]" : "") +
-           (member.type == kNumber ? "" : ".p0" + First(member.type));
+    return "." + member.name + (member.size > 0 ? "[0]" : "") +
+           (member.type == kNumber ? "" : First(member.type));
   }
 
   std::string ByReference(int type) {
     structures_ = globals_;
     for (int i = 0; i < 3; ++i) structures_.push_back({"(*p)", type});
     structures_.push_back({"b", type});
-    std::string text =
-        fmt::format("static int r{0}(struct {1} *p, struct {1} b, int x) {{\n  int y = x + 1;\n",
-                    type, Name(type));
+    std::string text = fmt::format("static int r{0}({1} *p, {1} b, int x) {{\n  int y = x + 1;\n",
+                                   type, kNames[type]);
     for (int i = Between(1, 3); i > 0; --i) text += Statement(1, "  ");
     if (Chance(30)) text += fmt::format("  if ({}) return {};\n", Value(1), Value(1));
     return text + fmt::format("  return {} + y;\n}}\n", Value(2));
@@ -259,14 +319,14 @@ class Generator : RandomChoices {
   // It changes nothing but its parameter.
   std::string ByValue(int type) {
     structures_ = {{"b", type}};
-    std::string text = fmt::format("static struct {0} v{1}(struct {0} b, int x) {{\n  int y = x;\n",
-                                   Name(type), type);
+    std::string text =
+        fmt::format("static {0} v{1}({0} b, int x) {{\n  int y = x;\n", kNames[type], type);
     if (Chance(30)) {
-      text += fmt::format("  struct {} old = b;\n", Name(type));
+      text += fmt::format("  {} old = b;\n", kNames[type]);
       structures_.push_back({"old", type});
     }
     for (int i = Between(1, 2); i > 0; --i) {
-      text += fmt::format("  {} {} {};\n", Number(), Pick({"=", "-="}), Value(1));
+      text += "  " + Assignment({"=", "-="}, 1);
     }
     return text + "  return b;\n}\n";
   }

@@ -1,5 +1,6 @@
-// Random programs of structured C with structures: nested, with arrays in them and arrays of them,
-// values in braces, copies, parameters and results by value, parameters by reference.
+// Random programs of structured C with structures, also those of the card: nested, with arrays in
+// them and arrays of them, values in braces, copies, parameters and results by value, parameters by
+// reference, commands that keep structures and give them back.
 #pragma once
 
 #include <cstdint>
