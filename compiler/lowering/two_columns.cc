@@ -29,7 +29,7 @@ class RowMaker {
       AddGroup(begin, end);
       begin = end;
     }
-    for (const int line : last_) Add({0, line}, {});
+    for (const int line : last_) Add({0, line});
     return std::move(rows_);
   }
 
@@ -37,6 +37,7 @@ class RowMaker {
   // A line of the lowered program, and the lines of C from which it comes.
   struct Line {
     std::string_view text;
+    int number = 0;
     int file = -1;
     int first = 0;
     int last = 0;
@@ -47,8 +48,10 @@ class RowMaker {
   void FindLines() {
     const std::string_view text = *lowering_.text;
     size_t begin = 0;
+    int number = 0;
     for (const auto& [statement, moved] : lowering_.statements) {
       Line line;
+      line.number = ++number;
       line.text = text.substr(begin, text.find('\n', begin) - begin);
       begin += line.text.size() + 1;
       if (line.text.empty()) continue;
@@ -112,7 +115,7 @@ class RowMaker {
     const bool first =
         !group.moved && shown_.emplace(group.file, group.first).second && group.file == 0;
     if (first) {
-      for (const int line : above_[group.first]) Add({0, line}, {});
+      for (const int line : above_[group.first]) Add({0, line});
     }
     // Where the labels begin with which the rows end.
     size_t labels = end;
@@ -125,17 +128,20 @@ class RowMaker {
       }
     }
     size_t row = begin;
-    for (const int line : left) Add({group.file, line}, row < end ? lines_[row++].text : "");
-    for (; row < labels; ++row) Add({-1, 0}, lines_[row].text);
-    for (const int line : closing) Add({0, line}, row < end ? lines_[row++].text : "");
-    for (; row < end; ++row) Add({-1, 0}, lines_[row].text);
+    for (const int line : left) Add({group.file, line}, row < end ? &lines_[row++] : nullptr);
+    for (; row < labels; ++row) Add({-1, 0}, &lines_[row]);
+    for (const int line : closing) Add({0, line}, row < end ? &lines_[row++] : nullptr);
+    for (; row < end; ++row) Add({-1, 0}, &lines_[row]);
   }
 
-  void Add(const Place& place, std::string_view card) {
+  void Add(const Place& place, const Line* card = nullptr) {
     TwoColumnsRow row;
     row.file = place.first;
     row.line = place.second;
-    row.card = card;
+    if (card != nullptr) {
+      row.card = card->text;
+      row.card_line = card->number;
+    }
     row.again = row.file >= 0 && !added_.insert(place).second;
     rows_.push_back(row);
   }

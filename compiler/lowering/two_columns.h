@@ -17,6 +17,7 @@ struct TwoColumnsRow {
   int line = 0;
   bool again = false;  ///< the line of C is in an earlier row, too
   std::string_view card;
+  int card_line = 0;  ///< of Lowering::text; 0: no line of it
 };
 
 /// All lines of the program and of its text, which must live on; of included files those that

@@ -43,6 +43,21 @@ TEST(TwoColumns, HaveEachStatementInTheRowsOfThoseThatItBecame) {
             "12  }                               | }\n");
 }
 
+TEST(TwoColumns, KnowTheLinesOfBothTexts) {
+  const Lowering lowering = LowerText("p.c", "int v;\n\nvoid t0(int n) {\n  v += 2 * n;\n}\n", {},
+                                      {.comments = false}, ReaderOf({}));
+  ASSERT_TRUE(lowering.text.has_value());
+  const SourceFile lowered("card.c", *lowering.text);
+  int cards = 0;
+  for (const TwoColumnsRow& row : RowsOf(lowering)) {
+    EXPECT_EQ(row.card_line > 0, !row.card.empty());
+    if (row.card_line == 0) continue;
+    EXPECT_EQ(lowered.Line(row.card_line), row.card);
+    ++cards;
+  }
+  EXPECT_EQ(cards, 6) << *lowering.text;
+}
+
 // The end of a block stands beside the label of its end.
 TEST(TwoColumns, ShowBranchesBesideTheirLabels) {
   EXPECT_EQ(
