@@ -8,6 +8,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "compiler/fix_it_applier.h"
 #include "compiler/lowering/lowering.h"
+#include "compiler/lowering/two_columns.h"
 #include "editor/complete.h"
 #include "editor/describe.h"
 #include "editor/overview.h"
@@ -253,11 +254,15 @@ Result<Json> Fixes(Arguments& arguments, const EditorContext& context) {
   return answer;
 }
 
+bool IsStructured(const editor::ProgramFiles& program) {
+  return program.options.structured || compiler::WantsStructured(program.text);
+}
+
 Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
   const auto program = ReadWholeProgram(arguments, context);
   if (!program.ok()) return program.error();
   const auto& [path, text, options, reader] = program.value();
-  if (!options.structured && !compiler::WantsStructured(text)) {
+  if (!IsStructured(program.value())) {
     return MakeError(1, "'{0}' is not structured C: there is nothing to lower",
                      "“{0}”不是结构化 C：无需转换", path);
   }
@@ -278,6 +283,42 @@ Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
   return answer;
 }
 
+Json TwoColumnsRows(const compiler::Lowering& lowering) {
+  Json rows = Json::array();
+  for (const compiler::TwoColumnsRow& each : compiler::RowsOf(lowering)) {
+    Json row = Json::object();
+    if (each.file >= 0) {
+      const compiler::SourceFile& file = lowering.files[static_cast<size_t>(each.file)];
+      row["file"] = file.path();
+      row["line"] = each.line;
+      row["text"] = file.Line(each.line);
+    }
+    if (each.again) row["again"] = true;
+    if (each.card_line > 0) {
+      row["card"] = each.card;
+      row["card_line"] = each.card_line;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Result<Json> TwoColumns(Arguments& arguments, const EditorContext& context) {
+  const auto program = ReadWholeProgram(arguments, context);
+  if (!program.ok()) return program.error();
+  const auto& [path, text, options, reader] = program.value();
+  if (!IsStructured(program.value())) {
+    return CompiledJson(compiler::CompileText(path, text, options, reader), context.language);
+  }
+  compiler::Lowering lowering =
+      compiler::LowerText(path, text, options, {.comments = false}, reader);
+  Json rows;
+  if (lowering.text) rows = TwoColumnsRows(lowering);
+  Json answer = CompiledJson(compiler::TakeCompilation(lowering), context.language);
+  if (lowering.text) answer["rows"] = std::move(rows);
+  return answer;
+}
+
 constexpr EditorRequest kEditorRequests[] = {
     {{"describe", "main [files] [structured] [file] line column"}, Describe},
     {{"signature", "main [files] [structured] [file] line column"}, Signature},
@@ -291,6 +332,7 @@ constexpr EditorRequest kEditorRequests[] = {
     {{"hints", "main [files] [structured] [file]"}, Hints},
     {{"fixes", "main [files] [structured]"}, Fixes},
     {{"lower", "main [files] [structured]"}, Lower},
+    {{"two_columns", "main [files] [structured]"}, TwoColumns},
 };
 
 }  // namespace

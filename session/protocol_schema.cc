@@ -98,6 +98,7 @@ std::vector<Request> RequestsOfProtocol() {
       {"hints", file, ListOf(The("Hint"))},
       {"fixes", program, The("Fixes")},
       {"lower", program, The("Lowered")},
+      {"two_columns", program, The("TwoColumns")},
   };
 }
 

@@ -136,6 +136,15 @@ std::vector<Part> SourceParts() {
             MayHave("text", Text()),
             MayHave("origins", ListOf(OrNull(Object({Has("file", Text()), Has("line", Whole())}))),
                     "Where each line of the text comes from.")})},
+      {"TwoColumns",
+       "Structured C beside what it becomes; without rows if it does not compile, or is none.",
+       Object({Has("compiled", Flag()), Has("diagnostics", ListOf(The("Diagnostic"))),
+               MayHave("rows", ListOf(The("TwoColumnsRow")))})},
+      {"TwoColumnsRow", "A line of C, a line of the card's program without comments, or both.",
+       Object({MayHave("file", Text(), "Of the line of C."), MayHave("line", Whole()),
+               MayHave("text", Text(), "What stands in it."),
+               MayHave("again", Always(true), "The line is in an earlier row, too."),
+               MayHave("card", Text()), MayHave("card_line", Whole(), "Where `card` stands.")})},
   };
 }
 

@@ -121,6 +121,45 @@ TEST_F(EditorRequestsTest, LowerStructuredC) {
   EXPECT_FALSE(broken.contains("text"));
 }
 
+TEST_F(EditorRequestsTest, ShowStructuredCBesideWhatItBecomes) {
+  const Json files = {
+      {"p.c", "#include \"h.h\"\n// adds\nint f()\n{\n  for (; x < 3; ++x) g(x);\n}\n"},
+      {"h.h", "int x;\nvoid g(int n) { x = n * 2 + 1; }\n"}};
+  const Json result =
+      Ask("two_columns", {{"main", "p.c"}, {"files", files}, {"structured", true}})["result"];
+  EXPECT_EQ(result["compiled"], true);
+  const Json& rows = result["rows"];
+  EXPECT_EQ(rows[0], Json({{"file", "h.h"},
+                           {"line", 1},
+                           {"text", "int x;"},
+                           {"card", "int x;"},
+                           {"card_line", 1}}));
+  const auto count = [&](const Json& row) { return std::ranges::count(rows, row); };
+  EXPECT_EQ(count({{"file", "p.c"}, {"line", 2}, {"text", "// adds"}}), 1) << rows.dump(1);
+  // The first part of the loop, and what is behind its body.
+  int loops = 0;
+  int again = 0;
+  int last = 0;
+  for (const Json& row : rows) {
+    if (row.value("file", "") == "p.c" && row.value("line", 0) == 5)
+      ++(row.contains("again") ? again : loops);
+    if (!row.contains("card")) continue;
+    EXPECT_GT(row["card_line"], last) << rows.dump(1);
+    last = row["card_line"];
+  }
+  EXPECT_EQ(loops, 1);
+  EXPECT_GE(again, 1);
+  const Json plain = {{"p.c", "int x;\nint f()\n{\n  x = 1;\n}\n"}};
+  EXPECT_EQ(Ask("two_columns", {{"main", "p.c"}, {"files", plain}})["result"],
+            Json({{"compiled", true}, {"diagnostics", Json::array()}}));
+  const Json broken =
+      Ask("two_columns",
+          {{"main", "p.c"}, {"files", {{"p.c", "int f( {"}}}, {"structured", true}})["result"];
+  EXPECT_EQ(broken["compiled"], false);
+  EXPECT_EQ(broken["diagnostics"].size(), 1u);
+  EXPECT_FALSE(broken.contains("rows"));
+}
+
 TEST_F(EditorRequestsTest, TakePlacesBehindTheEnd) {
   const Json arguments = {{"main", "p.c"}, {"files", files_}};
   for (const char* request : {"describe", "signature", "complete", "definition", "references"}) {

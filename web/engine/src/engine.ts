@@ -36,6 +36,7 @@ import type {
   StopWishes,
   ThreadSpan,
   Turn,
+  TwoColumns,
   Variable,
   WalkResult,
   Word,
@@ -238,6 +239,10 @@ export class Engine {
   }
   lower(project: Project): Promise<Lowered> {
     return this.#requestWithFiles("lower", project);
+  }
+  /** Structured C beside what it becomes. */
+  twoColumns(project: Project): Promise<TwoColumns> {
+    return this.#requestWithFiles("two_columns", project);
   }
 
   // --- Walks -------------------------------------------------------------------------------------

@@ -564,6 +564,10 @@ export interface Requests {
     arguments: Project;
     result: Lowered;
   };
+  two_columns: {
+    arguments: Project;
+    result: TwoColumns;
+  };
 }
 /**
  * Who answers.
@@ -1279,6 +1283,37 @@ export interface Lowered {
     file: string;
     line: number;
   } | null)[];
+}
+/**
+ * Structured C beside what it becomes; without rows if it does not compile, or is none.
+ */
+export interface TwoColumns {
+  compiled: boolean;
+  diagnostics: Diagnostic[];
+  rows?: TwoColumnsRow[];
+}
+/**
+ * A line of C, a line of the card's program without comments, or both.
+ */
+export interface TwoColumnsRow {
+  /**
+   * Of the line of C.
+   */
+  file?: string;
+  line?: number;
+  /**
+   * What stands in it.
+   */
+  text?: string;
+  /**
+   * The line is in an earlier row, too.
+   */
+  again?: true;
+  card?: string;
+  /**
+   * Where `card` stands.
+   */
+  card_line?: number;
 }
 /**
  * A line that a stop logs.

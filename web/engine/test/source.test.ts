@@ -60,3 +60,19 @@ test("structured C as the card's language", async () => {
   const line = lowered.text?.split("\n").findIndex((text) => text.includes("x = x + 1;")) ?? -1;
   expect(lowered.origins?.[line]).toEqual({ file: main, line: 5 });
 });
+
+test("structured C beside what it becomes", async () => {
+  const structured = "//@ structured\nint x;\nint f()\n{\n  ++x;\n}\n";
+  const { compiled, rows } = await startEngine().twoColumns({
+    main,
+    files: { [main]: structured },
+  });
+  expect(compiled).toBe(true);
+  expect(rows).toContainEqual({
+    file: main,
+    line: 5,
+    text: "  ++x;",
+    card: "  x = x + 1;",
+    card_line: expect.any(Number) as number,
+  });
+});
