@@ -17,6 +17,15 @@ test("a line that is shown is chosen, and brings the program to the front", () =
   expect(layout.wishedLine.value).toEqual({ line: 7 });
 });
 
+test("a line of another file is none of the program", () => {
+  showLine(7);
+  showPanel("machine");
+  showLine(2, "h.h");
+  expect(layout.front.value).toBe("program");
+  expect(layout.chosenLine.value).toBe(7);
+  expect(layout.wishedLine.value).toEqual({ line: 2, file: "h.h" });
+});
+
 test("the same line can be wished for again", () => {
   showLine(7);
   const before = layout.wishedLine.value;

@@ -271,7 +271,7 @@ function Code() {
   const wish = layout.wishedLine.value;
   useLayoutEffect(() => {
     if (!wish) return;
-    inFile(source.lesson.peek().program, (shown) => {
+    inFile(wish.file ?? source.lesson.peek().program, (shown) => {
       shown.reveal(wish.line);
     });
   }, [wish]);

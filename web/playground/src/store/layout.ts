@@ -25,7 +25,7 @@ interface Layout {
   /** The line of the program that the reader has chosen, in the editor or among the statements. */
   chosenLine: number;
   /** A line that the editor is to show; another object with each wish. */
-  wishedLine: { line: number } | undefined;
+  wishedLine: { line: number; file?: string } | undefined;
   /** Grows with each wish to go on in the list of values with the keyboard. */
   listWishes: number;
 }
@@ -58,9 +58,10 @@ export function chooseLine(line: number): void {
   change({ chosenLine: line });
 }
 
-/** Shows a line of the program in the editor. */
-export function showLine(line: number): void {
-  change({ front: "program", chosenLine: line, wishedLine: { line } });
+/** Shows a line of the program in the editor, or of another file. */
+export function showLine(line: number, file?: string): void {
+  if (file === undefined) change({ front: "program", chosenLine: line, wishedLine: { line } });
+  else change({ front: "program", wishedLine: { line, file } });
 }
 
 /** Shows the warnings of the card, and leads the keyboard to them. */
