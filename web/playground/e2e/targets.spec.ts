@@ -92,7 +92,7 @@ for (const width of [1440, 390]) {
     await editor(page).locator(".cm-line").nth(3).click();
     await page.keyboard.press("Control+F8");
     await page.setViewportSize({ width, height: 844 });
-    for (const tab of ["Threads", "Statements", "Warnings"]) {
+    for (const tab of ["Threads", "Statements", "C and card", "Warnings"]) {
       if (width < 760) {
         await page.getByRole("navigation").getByRole("button", { name: "Values" }).click();
       }

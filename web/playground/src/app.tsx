@@ -27,6 +27,10 @@ import { TimelinePanel } from "./timeline/timeline.js";
 /** These show the card. */
 const ofCard: readonly Panel[] = ["values", "machine", "timeline", "scope"];
 
+function showsCard(name: Panel): boolean {
+  return ofCard.includes(name) && !(name === "values" && layout.tab.value === "columns");
+}
+
 /** The record of a host takes the place of the program. */
 function titleOf(name: Panel): string {
   const t = texts.value;
@@ -53,7 +57,7 @@ function ContentOf({ name }: { name: Panel }) {
 }
 
 function Box({ name }: { name: Panel }) {
-  const isOutdated = ofCard.includes(name) && isEdited.value && present.state.value !== undefined;
+  const isOutdated = showsCard(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
       class={`panel ${frontPanel() === name ? "front" : ""} ${isOutdated ? "outdated" : ""}`}

@@ -25,6 +25,7 @@ import "./style/frame.css";
 import "./style/parts.css";
 import "./interleaving/table.css";
 import "./interleaving/arrow.css";
+import "./two_columns/view.css";
 
 keepSettings(navigator.language);
 applySettings();

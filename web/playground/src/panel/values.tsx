@@ -1,4 +1,5 @@
-// Variables, threads, the statements on the card beside the lines of the source, and warnings.
+// Variables, threads, the statements on the card beside the lines of the source, the source beside what
+// it becomes, and warnings.
 
 import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
 import { useLayoutEffect, useRef } from "preact/hooks";
@@ -6,12 +7,17 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { Tabs } from "../controls/tabs.js";
 import { bench, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
-import { layout, showLine, showTab, tabs } from "../store/layout.js";
+import { record } from "../session/record.js";
+import { layout, showLine, showTab, type Tab, tabs } from "../store/layout.js";
 import { number, texts } from "../texts/texts.js";
+import { TwoColumns } from "./two_columns.js";
 
 export function ValuesPanel() {
   const { values: t } = texts.value;
-  const { tab } = layout;
+  // A record of a host has no program in the editor.
+  const shownTabs: readonly Tab[] = record.value ? tabs.filter((each) => each !== "columns") : tabs;
+  const chosen = layout.tab.value;
+  const tab = shownTabs.includes(chosen) ? chosen : "listing";
   const list = useRef<HTMLDivElement>(null);
   const wishes = layout.listWishes.value;
   useLayoutEffect(() => {
@@ -21,19 +27,21 @@ export function ValuesPanel() {
     <div class="values-panel">
       <Tabs
         label={t.label}
-        values={tabs}
-        chosen={tab.value}
+        values={shownTabs}
+        chosen={tab}
         nameOf={(each) => t.tabs[each]}
         onChoose={showTab}
       />
-      <div class="scroll" ref={list} tabIndex={0} role="group" aria-label={t.tabs[tab.value]}>
-        {!present.state.value ? (
+      <div class="scroll" ref={list} tabIndex={0} role="group" aria-label={t.tabs[tab]}>
+        {tab === "columns" ? (
+          <TwoColumns />
+        ) : !present.state.value ? (
           <p class="muted empty">{t.idle}</p>
-        ) : tab.value === "variables" ? (
+        ) : tab === "variables" ? (
           <Variables />
-        ) : tab.value === "threads" ? (
+        ) : tab === "threads" ? (
           <Threads />
-        ) : tab.value === "listing" ? (
+        ) : tab === "listing" ? (
           <Listing />
         ) : (
           <Warnings />

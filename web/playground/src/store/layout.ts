@@ -14,7 +14,7 @@ export const panels = [
 ] as const;
 export type Panel = (typeof panels)[number];
 
-export const tabs = ["variables", "threads", "listing", "warnings"] as const;
+export const tabs = ["variables", "threads", "listing", "columns", "warnings"] as const;
 export type Tab = (typeof tabs)[number];
 
 interface Layout {

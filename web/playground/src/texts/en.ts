@@ -1,5 +1,7 @@
 // The texts of the page in English. zh.ts has the same in Chinese.
 
+import { twoColumns } from "./two_columns.js";
+
 export const en = {
   title: "oncard playground",
   skip: "Skip to the program",
@@ -244,6 +246,7 @@ export const en = {
       variables: "Variables",
       threads: "Threads",
       listing: "Statements",
+      columns: "C and card",
       warnings: "Warnings",
     },
     globals: "Global variables",
@@ -263,6 +266,8 @@ export const en = {
     noWarnings: "There are no warnings up to this moment.",
     idle: "Nothing is on the card.",
   },
+
+  twoColumns: twoColumns.en,
 
   explore: {
     verdicts: {

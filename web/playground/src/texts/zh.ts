@@ -1,6 +1,7 @@
 // 页面的中文文本，与 en.ts 内容相同。
 
 import type { Texts } from "./en.js";
+import { twoColumns } from "./two_columns.js";
 
 export const zh: Texts = {
   title: "oncard 练习场",
@@ -236,7 +237,13 @@ export const zh: Texts = {
 
   values: {
     label: "数值",
-    tabs: { variables: "变量", threads: "线程", listing: "语句", warnings: "警告" },
+    tabs: {
+      variables: "变量",
+      threads: "线程",
+      listing: "语句",
+      columns: "C 与卡",
+      warnings: "警告",
+    },
     globals: "全局变量",
     locals: (page, name) => `数据页 ${page}：${name}`,
     none: "没有变量",
@@ -254,6 +261,8 @@ export const zh: Texts = {
     noWarnings: "到此刻为止没有警告。",
     idle: "卡上没有程序。",
   },
+
+  twoColumns: twoColumns.zh,
 
   explore: {
     verdicts: {
