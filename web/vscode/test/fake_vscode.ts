@@ -48,13 +48,14 @@ export const editor = {
   answers: [] as unknown[],
   launched: [] as Record<string, unknown>[],
   controllers: [] as FakeController[],
+  panels: [] as FakePanel[],
   /** Requests to the debugger, and its answers. */
   requests: [] as unknown[],
   debugAnswers: {} as Record<string, unknown>,
 
   reset(): void {
     Object.assign(editor, { settings: {}, shown: [], answers: [], launched: [], requests: [] });
-    Object.assign(editor, { debugAnswers: {}, controllers: [] });
+    Object.assign(editor, { debugAnswers: {}, controllers: [], panels: [] });
     editor.commands.clear();
     editor.providers.clear();
     workspace.textDocuments = [];
@@ -97,6 +98,8 @@ export const workspace = {
   findFiles: () => Promise.resolve(workspace.files),
   openTextDocument: (uri: Uri) => Promise.resolve(documentOf(uri)),
   onDidSaveTextDocument: () => nothing,
+  changed: new EventEmitter<{ document: FakeDocument }>(),
+  onDidChangeTextDocument: (listener: Handler) => workspace.changed.event(listener),
   registerTextDocumentContentProvider: (scheme: string, provider: unknown) =>
     provide(scheme, provider),
   createFileSystemWatcher: () => {
@@ -118,8 +121,45 @@ const ask = (text: string) => {
   return Promise.resolve(editor.answers.shift());
 };
 
+interface FakeEditor {
+  document: FakeDocument;
+  viewColumn?: number;
+  selection?: { active: { line: number } };
+}
+
+/** What a panel shows is a page in the real editor; here a test is its reader. */
+export class FakePanel {
+  readonly received = new EventEmitter<unknown>();
+  readonly #closed = new EventEmitter<undefined>();
+  readonly sent: unknown[] = [];
+  readonly onDidDispose = this.#closed.event;
+  readonly webview = {
+    html: "",
+    cspSource: "https://editor",
+    asWebviewUri: ({ path }: Uri) => Uri.parse(`https://editor${path}`),
+    onDidReceiveMessage: this.received.event,
+    postMessage: (message: unknown) => Promise.resolve(this.sent.push(message)),
+  };
+  constructor(public title: string) {}
+  reveal(): void {
+    editor.shown.push(this.title);
+  }
+  dispose(): void {
+    this.#closed.fire(undefined);
+  }
+}
+
 export const window = {
-  activeTextEditor: undefined as { document: FakeDocument } | undefined,
+  activeTextEditor: undefined as FakeEditor | undefined,
+  followed: new EventEmitter<FakeEditor | undefined>(),
+  onDidChangeActiveTextEditor: (listener: Handler) => window.followed.event(listener),
+  selected: new EventEmitter<{ textEditor: FakeEditor }>(),
+  onDidChangeTextEditorSelection: (listener: Handler) => window.selected.event(listener),
+  createWebviewPanel: (_: string, title: string) => {
+    const panel = new FakePanel(title);
+    editor.panels.push(panel);
+    return panel;
+  },
   createOutputChannel: () => ({
     ...nothing,
     clear: () => undefined,
@@ -131,7 +171,11 @@ export const window = {
   showInformationMessage: ask,
   showInputBox: ({ prompt }: { prompt: string }) => ask(prompt),
   showQuickPick: (items: { label: string }[]) => ask(items.map(({ label }) => label).join()),
-  showTextDocument: ({ uri }: { uri: Uri }) => Promise.resolve(editor.shown.push(uri.toString())),
+  showTextDocument: (what: Uri | { uri: Uri }, options?: { selection?: { start: unknown } }) => {
+    editor.shown.push(("uri" in what ? what.uri : what).toString());
+    if (options?.selection) editor.shown.push(JSON.stringify(options.selection.start));
+    return Promise.resolve();
+  },
   withProgress: (_: unknown, work: Handler) =>
     work({}, { isCancellationRequested: false, onCancellationRequested: () => nothing }),
 };
