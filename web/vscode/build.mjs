@@ -20,27 +20,40 @@ const stage = join(dirname(target), "vsix");
 rmSync(stage, { recursive: true, force: true });
 mkdirSync(join(stage, "dist"), { recursive: true });
 
-const { metafile } = await build({
+const common = {
   absWorkingDir: here,
+  outdir: join(stage, "dist"),
+  bundle: true,
+  minify: true,
+  legalComments: "none",
+  metafile: true,
+  logLevel: "warning",
+};
+const programs = await build({
+  ...common,
   entryPoints: {
     extension: "src/extension.ts",
     server: "../language-server/dist/server.js",
     adapter: "../debug-adapter/dist/adapter.js",
     engine: "../engine/dist/module_process.js",
   },
-  outdir: join(stage, "dist"),
-  bundle: true,
-  minify: true,
   platform: "node",
   format: "cjs",
   target: "node18",
   external: ["vscode"],
   // ES modules before those for require(): the latter load their parts by computed names.
   mainFields: ["module", "main"],
-  legalComments: "none",
-  metafile: true,
-  logLevel: "warning",
 });
+// What panels show are pages in the editor.
+const views = await build({
+  ...common,
+  entryPoints: { two_columns: "view/two_columns.tsx" },
+  format: "iife",
+  target: "es2022",
+  jsx: "automatic",
+  jsxImportSource: "preact",
+});
+const metafile = { inputs: { ...programs.metafile.inputs, ...views.metafile.inputs } };
 
 // The extension also explores, and reads records of hosts.
 copyFileSync(module, join(stage, "dist/oncard.wasm"));

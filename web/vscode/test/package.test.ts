@@ -89,7 +89,7 @@ describe.skipIf(withoutModule)("the package", () => {
 
   test("has the licences of what it contains", () => {
     const notices = textIn("extension/ThirdPartyNotices.txt");
-    for (const name of ["vscode-languageclient", "@vscode/debugadapter", "wasi-libc"]) {
+    for (const name of ["vscode-languageclient", "@vscode/debugadapter", "preact", "wasi-libc"]) {
       expect(notices).toMatch(new RegExp(`^${name} `, "m"));
     }
     expect(textIn("extension/LICENSE.txt")).toContain("MIT");
