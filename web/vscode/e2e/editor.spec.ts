@@ -90,6 +90,49 @@ test("a program is mended, run, and debugged forward and back", async ({ page })
   });
 });
 
+test("C stands beside card code", async ({ page }) => {
+  await page.goto(`./?folder=${work}`);
+  await page.getByRole("treeitem", { name: "structured.c" }).dblclick();
+  await expect(page.locator(".codelens-decoration").first()).toHaveText(/run.*debug.*explore/);
+  await page.keyboard.press("F1");
+  await page.keyboard.type("Show C beside Card Code");
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("tab", { name: "structured.c beside card code" })).toBeVisible();
+  const view = page.frameLocator("iframe.webview").frameLocator("#active-frame");
+  const rowOf = (line: number) =>
+    view.locator("tr", { has: view.getByRole("button", { name: String(line), exact: true }) });
+
+  await test.step("each statement in the row of what it became", async () => {
+    await expect(rowOf(11).locator("code")).toHaveText(["    sum += i;", "  sum = sum + i;"]);
+  });
+
+  await test.step("a click at a row goes to its line", async () => {
+    await rowOf(12).click();
+    await expect(page.getByRole("button", { name: /^Ln 12, Col 1/ })).toBeVisible();
+    await expect(rowOf(12)).toHaveClass(/linked/);
+    await page.keyboard.press("ArrowUp");
+    await expect(rowOf(11)).toHaveClass(/linked/);
+    await page.keyboard.press("ArrowDown");
+  });
+
+  await test.step("it follows what is typed, and keeps the rows while there are errors", async () => {
+    await page.keyboard.press("End");
+    await page.keyboard.press("Backspace");
+    await expect(view.getByText("There are errors: this is from before.")).toBeVisible();
+    await expect(rowOf(12)).toContainText("i++;");
+    await page.keyboard.type(", sum++;");
+    await expect(rowOf(12)).toContainText("i++, sum++;");
+    await expect(view.getByText("There are errors")).toHaveCount(0);
+    await expect(view.getByText("sum = sum + 1;")).toHaveCount(1);
+  });
+
+  await test.step("another program is shown as soon as it is in front", async () => {
+    await page.getByRole("treeitem", { name: "sum.c" }).dblclick();
+    await expect(page.getByRole("tab", { name: "sum.c beside card code" })).toBeVisible();
+    await expect(view.getByText("This program is in the card's own C")).toBeVisible();
+  });
+});
+
 test("the scenarios of a folder are tests", async ({ page }) => {
   test.skip(!existsSync(search), "the editor finds no files without ripgrep: install ripgrep");
   const rows = page.locator(".test-explorer .monaco-list-row");

@@ -54,6 +54,7 @@ if (!existsSync(join(editor, "node_modules"))) symlinkSync(modules, join(editor,
 
 rmSync(kept, { recursive: true, force: true });
 cpSync(join(samples, "01_sum"), join(kept, "work"), { recursive: true });
+cpSync(join(samples, "02_loops/structured.c"), join(kept, "work/structured.c"));
 const settings = { "security.workspace.trust.enabled": false, "workbench.startupEditor": "none" };
 mkdirSync(join(kept, "data/User"), { recursive: true });
 writeFileSync(join(kept, "data/User/settings.json"), JSON.stringify(settings));

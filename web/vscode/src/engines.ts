@@ -65,6 +65,11 @@ export class Engines {
     return this.#file("adapter.js");
   }
 
+  /** Where the pages are that panels show. */
+  get viewFolder(): string {
+    return this.#file("");
+  }
+
   /** An engine that says everything in the language of the editor. Whoever opens it closes it. */
   async open(): Promise<Engine> {
     const command = this.command();

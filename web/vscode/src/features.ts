@@ -10,6 +10,7 @@ import { registerLenses } from "./lenses";
 import { registerListing } from "./listing";
 import { registerTests } from "./scenario_tests";
 import { registerTasks } from "./tasks";
+import { registerTwoColumns } from "./two_columns";
 
 export function registerFeatures(engines: Engines): Disposable[] {
   const output = window.createOutputChannel("oncard");
@@ -18,6 +19,7 @@ export function registerFeatures(engines: Engines): Disposable[] {
     ...registerDebug(engines),
     ...registerCommands(engines, output),
     ...registerListing(engines),
+    ...registerTwoColumns(engines),
     ...registerTests(engines),
     registerTasks(engines),
     ...registerLenses(engines),

@@ -2,7 +2,15 @@
 
 import { spawn } from "node:child_process";
 import { EventEmitter } from "node:events";
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { createRequire, Module } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -10,7 +18,16 @@ import { pathToFileURL } from "node:url";
 
 import { DebugClient } from "@vscode/debugadapter-testsupport";
 import type { DebugProtocol } from "@vscode/debugprotocol";
-import { afterAll, beforeAll, beforeEach, describe, expect, onTestFinished, test } from "vitest";
+import {
+  afterAll,
+  beforeAll,
+  beforeEach,
+  describe,
+  expect,
+  onTestFinished,
+  test,
+  vi,
+} from "vitest";
 import type { PublishDiagnosticsParams } from "vscode-languageserver";
 import {
   createMessageConnection,
@@ -20,13 +37,16 @@ import {
 
 import { Engines } from "../src/engines";
 import { registerFeatures } from "../src/features";
+import type { ToView } from "../src/two_columns_messages";
 import {
   type CustomExecution,
+  documentAt,
   editor,
   type Task,
   type TestMessage,
   TestRunProfileKind,
   Uri,
+  window,
   workspace,
 } from "./fake_vscode.js";
 import {
@@ -165,6 +185,93 @@ describe.skipIf(withoutModule)("the package", () => {
     }
     expect(lines[2]).toBe(lines[0]);
     expect(lines[1]).toBeGreaterThan(lines[0] ?? 0);
+  });
+
+  test("C stands beside card code, and follows the program in the editor", async () => {
+    registerFeatures(new Engines(installed));
+    const folder = newFolder();
+    const path = join(folder, "p.c");
+    writeFileSync(path, "//@ structured\nint x;\nint f()\n{\n  ++x;\n}\n");
+    let text = readFileSync(path, "utf8");
+    const document = { ...documentAt(path), getText: () => text };
+    workspace.textDocuments = [document];
+    const textEditor = { document, viewColumn: 1, selection: { active: { line: 0 } } };
+    window.activeTextEditor = textEditor;
+    await editor.commands.get("oncard.showTwoColumns")?.();
+    const [panel] = editor.panels;
+    if (!panel) throw new Error("there is no panel");
+    onTestFinished(() => {
+      panel.dispose();
+    });
+    const shown = () => {
+      const last = (panel.sent as ToView[]).filter((each) => each.shown).at(-1)?.shown;
+      return [last?.state, last?.rows.find(({ line }) => line === 5)?.card];
+    };
+    const answer = { timeout: 20_000 };
+    await vi.waitFor(() => {
+      expect(shown()).toEqual(["fresh", "  x = x + 1;"]);
+    }, answer);
+    expect(panel.title).toBe("p.c beside card code");
+
+    text = text.replace("++x;", "++x");
+    workspace.changed.fire({ document });
+    await vi.waitFor(() => {
+      expect(shown()).toEqual(["broken", "  x = x + 1;"]);
+    }, answer);
+    text = text.replace("++x", "--x;");
+    workspace.changed.fire({ document });
+    await vi.waitFor(() => {
+      expect(shown()).toEqual(["fresh", "  x = x - 1;"]);
+    }, answer);
+
+    textEditor.selection.active.line = 4;
+    window.selected.fire({ textEditor });
+    expect(panel.sent.at(-1)).toEqual({ chosen: { file: path, line: 5 } });
+
+    // A scenario leaves it as it is; a second wish opens no second panel.
+    const scenario = documentAt(sample("01_sum/two_threads.toml"), "toml");
+    window.followed.fire({ document: scenario });
+    window.followed.fire(undefined);
+    await editor.commands.get("oncard.showTwoColumns")?.();
+    expect([editor.panels.length, panel.title]).toEqual([1, "p.c beside card code"]);
+    window.followed.fire({ ...textEditor, document: documentAt(sample("01_sum/sum.c")) });
+    await vi.waitFor(() => {
+      expect(shown()).toEqual(["plain", undefined]);
+    }, answer);
+    expect(panel.title).toBe("sum.c beside card code");
+
+    // The page of the panel comes again, and its reader wants to see a line.
+    panel.received.fire("ready");
+    expect(panel.sent.at(-1)).toMatchObject({
+      shown: { state: "plain" },
+      language: "en",
+      chosen: { file: sample("01_sum/sum.c"), line: 5 },
+    });
+    panel.received.fire({ file: path, line: 5 });
+    await vi.waitFor(() => {
+      expect(editor.shown.slice(-2)).toEqual([
+        Uri.file(path).toString(),
+        JSON.stringify({ line: 4, character: 0 }),
+      ]);
+    });
+    panel.dispose();
+    await editor.commands.get("oncard.showTwoColumns")?.();
+    expect(editor.panels).toHaveLength(2);
+    editor.panels[1]?.dispose();
+  });
+
+  test("a panel may load what is in the package alone", () => {
+    registerFeatures(new Engines(installed));
+    void editor.commands.get("oncard.showTwoColumns")?.();
+    const [panel] = editor.panels;
+    const { html } = panel?.webview ?? { html: "" };
+    panel?.dispose();
+    expect(html).toContain(
+      "default-src 'none'; script-src https://editor; style-src https://editor",
+    );
+    const loaded = [...html.matchAll(/(?:src|href)="https:\/\/editor([^"]+)"/g)];
+    expect(loaded).toHaveLength(2);
+    for (const [, path] of loaded) expect(existsSync(path ?? "")).toBe(true);
   });
 
   test("a counterexample of an exploration is opened in the debugger", async () => {

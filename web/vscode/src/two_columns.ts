@@ -1,0 +1,194 @@
+// C beside what it becomes on the card, in a panel that follows the program in the editor. Its view is
+// that of the page.
+// Tested by test/package.test.ts and e2e/editor.spec.ts.
+
+import { basename, join, resolve } from "node:path";
+
+import { type Engine, RefusedError, type TwoColumns } from "@oncard/engine";
+import { type Shown, shownAfter } from "@oncard/playground/two_columns/shown";
+import {
+  commands,
+  type Disposable,
+  Range,
+  type TextDocument,
+  type TextEditor,
+  Uri,
+  ViewColumn,
+  type Webview,
+  type WebviewPanel,
+  window,
+  workspace,
+} from "vscode";
+
+import { mainOf, projectOf } from "./documents";
+import type { Engines } from "./engines";
+import { language, say } from "./texts";
+import type { FromView, Place, ToView } from "./two_columns_messages";
+
+export function registerTwoColumns(engines: Engines): Disposable[] {
+  let panel: TwoColumnsPanel | undefined;
+  return [
+    { dispose: () => panel?.close() },
+    commands.registerCommand("oncard.showTwoColumns", () => {
+      panel ??= new TwoColumnsPanel(engines, () => {
+        panel = undefined;
+      });
+      panel.show();
+    }),
+  ];
+}
+
+class TwoColumnsPanel {
+  readonly #engines: Engines;
+  readonly #panel: WebviewPanel;
+  /** It stays open: it is asked while the user types. */
+  #engine: Promise<Engine> | undefined;
+  #document: TextDocument | undefined;
+  /** Where its editor is. */
+  #column: ViewColumn | undefined;
+  #shown: Shown | undefined;
+  #chosen: Place | undefined;
+  #isAsking = false;
+  /** Something has changed since the last question. */
+  #isStale = false;
+
+  constructor(engines: Engines, onClosed: () => void) {
+    this.#engines = engines;
+    const folder = Uri.file(engines.viewFolder);
+    this.#panel = window.createWebviewPanel(
+      "oncard.twoColumns",
+      say({ en: "C beside card code", zh: "C 与卡代码" }),
+      { viewColumn: ViewColumn.Beside, preserveFocus: true },
+      { enableScripts: true, localResourceRoots: [folder] },
+    );
+    const { webview } = this.#panel;
+    const watched = [
+      window.onDidChangeActiveTextEditor((editor) => {
+        this.#follow(editor);
+      }),
+      window.onDidChangeTextEditorSelection(({ textEditor }) => {
+        if (textEditor.document === this.#document) this.#choose(textEditor);
+      }),
+      // A program may include any file that is open.
+      workspace.onDidChangeTextDocument(({ document }) => {
+        if (document.uri.scheme === "file") this.#ask();
+      }),
+      webview.onDidReceiveMessage((message: FromView) => {
+        if (message === "ready") this.#send();
+        else void this.#showLine(message);
+      }),
+    ];
+    this.#panel.onDidDispose(() => {
+      for (const each of watched) each.dispose();
+      this.#document = undefined;
+      this.#closeEngine();
+      onClosed();
+    });
+    this.#follow(window.activeTextEditor);
+    webview.html = htmlOf(webview, folder);
+  }
+
+  show(): void {
+    this.#panel.reveal(undefined, true);
+  }
+
+  close(): void {
+    this.#panel.dispose();
+  }
+
+  #follow(editor: TextEditor | undefined): void {
+    if (!editor || !isProgram(editor.document)) return;
+    this.#document = editor.document;
+    this.#column = editor.viewColumn;
+    const name = basename(editor.document.uri.fsPath);
+    this.#panel.title = say({ en: `${name} beside card code`, zh: `${name} 与卡代码` });
+    this.#ask();
+    this.#choose(editor);
+  }
+
+  #choose({ document, selection }: TextEditor): void {
+    this.#chosen = { file: projectOf(document).main, line: selection.active.line + 1 };
+    this.#post({ chosen: this.#chosen });
+  }
+
+  /** One question at a time: what has changed meanwhile is asked once, after the answer. */
+  #ask(): void {
+    this.#isStale = true;
+    if (!this.#isAsking) void this.#askUntilFresh();
+  }
+
+  async #askUntilFresh(): Promise<void> {
+    this.#isAsking = true;
+    while (this.#isStale && this.#document) {
+      this.#isStale = false;
+      const document = this.#document;
+      const answer = await this.#answerAbout(document);
+      this.#shown = shownAfter(this.#shown, document.uri.toString(), answer);
+      this.#send();
+    }
+    this.#isAsking = false;
+  }
+
+  /** Nothing if there is none. */
+  async #answerAbout(document: TextDocument): Promise<TwoColumns | undefined> {
+    // The module, also if there is a command: that may be older than the view.
+    const opened = (this.#engine ??= this.#engines.openModule());
+    try {
+      const { files } = projectOf(document);
+      return await (await opened).twoColumns({ main: await mainOf(document), files });
+    } catch (error) {
+      if (!(error instanceof RefusedError) && this.#engine === opened) this.#closeEngine();
+      return undefined;
+    }
+  }
+
+  #closeEngine(): void {
+    this.#engine?.then(
+      (engine) => {
+        engine.close();
+      },
+      () => undefined, // it did not start
+    );
+    this.#engine = undefined;
+  }
+
+  #send(): void {
+    if (!this.#shown || !this.#document) return;
+    this.#post({
+      shown: this.#shown,
+      language: language(),
+      ...(this.#chosen && { chosen: this.#chosen }),
+    });
+  }
+
+  #post(message: ToView): void {
+    void this.#panel.webview.postMessage(message);
+  }
+
+  async #showLine({ file, line }: Place): Promise<void> {
+    const selection = new Range(line - 1, 0, line - 1, 0);
+    const options = { selection, ...(this.#column && { viewColumn: this.#column }) };
+    await window.showTextDocument(Uri.file(resolve(file)), options);
+  }
+}
+
+function isProgram({ uri, languageId }: TextDocument): boolean {
+  return uri.scheme === "file" && (languageId === "c" || languageId === "motion-program");
+}
+
+function htmlOf(webview: Webview, folder: Uri): string {
+  const at = (name: string) => webview.asWebviewUri(Uri.file(join(folder.fsPath, name))).toString();
+  return `<!doctype html>
+<html lang="${language()}">
+  <head>
+    <meta charset="utf-8" />
+    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src ${webview.cspSource}; style-src ${webview.cspSource}" />
+    <link rel="stylesheet" href="${at("two_columns.css")}" />
+  </head>
+  <body>
+    <main></main>
+    <script src="${at("two_columns.js")}"></script>
+  </body>
+</html>
+`;
+}
