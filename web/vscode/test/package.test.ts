@@ -74,7 +74,7 @@ describe.skipIf(withoutModule)("the package", () => {
       mkdirSync(dirname(path), { recursive: true });
       writeFileSync(path, bytes);
     }
-  });
+  }, 60_000); // packing takes 5 s, on a busy computer more than the usual 10
   afterAll(() => {
     rmSync(work, { recursive: true, force: true });
   });
