@@ -487,26 +487,44 @@ class Printer {
     EmptyLine();
   }
 
+  // Where the first global or function of the program stands.
+  uint32_t BeginOfDeclarations() const {
+    uint32_t begin = UINT32_MAX;
+    const auto include = [&begin](const SourceRange& range) {
+      if (range.file == 0) begin = std::min(begin, range.begin);
+    };
+    for (const int global : program_.globals) {
+      include(program_.variables[static_cast<size_t>(global)].range);
+    }
+    for (const LoweredFunction& function : program_.functions) include(function.header);
+    return begin;
+  }
+
   // The constants that are used by their names, which nothing else in the program must have.
   void PrintConstants() {
     std::set<std::string_view> taken;
-    std::set<int> used;
+    std::set<std::pair<std::pair<int, uint32_t>, int>> used;  // in the order of C
     for (const Variable& variable : program_.variables) taken.insert(variable.name);
     for (const LoweredFunction& function : program_.functions) {
       taken.insert(function.name);
       taken.insert(function.labels.begin(), function.labels.end());
       for (const Instruction& instruction : function.code) {
-        for (const Operand& argument : instruction.arguments) used.insert(argument.name);
+        for (const Operand& argument : instruction.arguments) {
+          if (argument.name < 0) continue;
+          const SourceRange& range = program_.constants[static_cast<size_t>(argument.name)].range;
+          used.insert({{range.file, range.begin}, argument.name});
+        }
       }
     }
-    for (const int number : used) {
-      if (number < 0) continue;
+    const uint32_t others = BeginOfDeclarations();
+    for (const auto& [place, number] : used) {
       const NamedConstant& constant = program_.constants[static_cast<size_t>(number)];
       if (constant.ambiguous || taken.contains(constant.name)) continue;
       PrintAbove(constant.range);
+      const bool moved = constant.range.file != 0 || constant.range.begin > others;
       Line(fmt::format("#define {} {}{}", constant.name, speller_.Spell(constant.value),
                        kept_.TakeBeside(constant.range)),
-           constant.range, {constant.range, true});
+           constant.range, {constant.range, moved});
       speller_.UseName(number);
     }
     EmptyLine();

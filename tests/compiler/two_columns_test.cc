@@ -58,6 +58,24 @@ TEST(TwoColumns, KnowTheLinesOfBothTexts) {
   EXPECT_EQ(cards, 6) << *lowering.text;
 }
 
+// Those between declarations stand before all of them on the card.
+TEST(TwoColumns, KeepDefinedNamesWhereTheyAre) {
+  EXPECT_EQ(Columns("// axes\n#define X 1\n#define UNUSED 3\n#define Y 2\nint v;\n#define Z 3\n"
+                    "void t0() {\n  GT_AxisOn(Z);\n  GT_AxisOn(Y);\n  GT_AxisOn(X);\n}\n",
+                    60),
+            " 1  // axes\n"
+            " 2  #define X 1                | #define X 1\n"
+            " 3  #define UNUSED 3\n"
+            " 4  #define Y 2                | #define Y 2\n"
+            " 6  #define Z 3                | #define Z 3\n"
+            " 5  int v;                     | int v;\n"
+            " 7  void t0() {                | void t0() {\n"
+            " 8    GT_AxisOn(Z);            |   GT_AxisOn(Z);\n"
+            " 9    GT_AxisOn(Y);            |   GT_AxisOn(Y);\n"
+            "10    GT_AxisOn(X);            |   GT_AxisOn(X);\n"
+            "11  }                          | }\n");
+}
+
 // The end of a block stands beside the label of its end.
 TEST(TwoColumns, ShowBranchesBesideTheirLabels) {
   EXPECT_EQ(
