@@ -67,7 +67,10 @@ export async function bundle(folder, modules) {
     target: ["chrome102", "firefox102", "safari15.4"],
     jsx: "automatic",
     jsxImportSource: "preact",
-    alias: { entities: "./src/lesson/entities.ts" },
+    alias: {
+      entities: "./src/lesson/entities.ts",
+      "linkify-it": "./src/lesson/linkify.ts",
+    },
     metafile: true,
     legalComments: "none",
     logLevel: "warning",
