@@ -37,7 +37,8 @@ struct Variable {
   int block = 0;
   /// A global array of constants.
   bool is_table = false;
-  /// An array whose bounds are checked when it is written: that is never left out.
+  /// An array whose bounds are checked when it is written: that is never left out, unless the index
+  /// is known.
   bool checks = false;
   SourceRange range;  ///< where it is declared
 };

@@ -215,6 +215,21 @@ TEST(Recursion, NeedsACommentWhereItsDepthIsNotSeen) {
 }
 
 // The text is for the card, whose tools know no depth.
+// What is kept for a call that nothing comes back from.
+TEST(Recursion, KeepsNothingThatIsNeverRead) {
+  const Lowering lowering = Lowered(
+      "struct pair { int x, y; };\nint g, a[8];\n"
+      "static int first(int n, int x, int y, int *v, struct pair p, int *s) {\n"
+      "  int z = x + n, t = y;\n  if (n <= 0) return v[1] & z;\n"
+      "  if (z && second(n - 1, t, x, a, p, s) > 3) t++;\n}\n"
+      "static int second(int n, int x, char y, int *v, struct pair p, int *s) {\n"
+      "  int z;\n  struct pair own = p;\n  z = x * x - first(n - 1, x, own.x, v, p, &g);\n}\n"
+      "int t0() {\n  int x = 5, m[8] = {1, 7, 2}, w = 1;\n  struct pair p = {4, 9};\n"
+      "  x = x - second(1, x, 2, m, p, &w);\n}\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(lowering.diagnostics, testing::IsEmpty());
+}
+
 TEST(Recursion, LeavesItsCommentOut) {
   const Lowering lowering = Lowered(Sum(4, 3));
   ASSERT_TRUE(lowering.text.has_value());

@@ -238,7 +238,8 @@ bool RemoveUnreadAggregates(const Program& program, LoweredFunction& function) {
   const size_t erased = std::erase_if(function.code, [&](const Instruction& instruction) {
     if (!instruction.Writes()) return false;
     const size_t target = static_cast<size_t>(instruction.target.variable);
-    return read[target] == 0 && !program.variables[target].checks &&
+    const bool checks = program.variables[target].checks && instruction.target.index >= 0;
+    return read[target] == 0 && !checks &&
            program.variables[target].role != Variable::Role::kGlobal &&
            !IsLocalNumber(program, instruction.target.variable);
   });
