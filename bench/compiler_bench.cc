@@ -75,8 +75,7 @@ void MeasureCalls(const char* what, const char* thread) {
   }
   const auto lower = [&text](bool optimize) {
     return [&text, options = compiler::LoweringOptions{.optimize = optimize}] {
-      const auto lowering =
-          compiler::LowerText("calls.c", text, {}, options, compiler::ReadSource);
+      const auto lowering = compiler::LowerText("calls.c", text, {}, options, compiler::ReadSource);
       if (!lowering.text) Fail("the generated program cannot be lowered");
     };
   };

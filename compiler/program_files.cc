@@ -23,7 +23,8 @@ std::optional<std::vector<Token>> ProgramFiles::Add(SourceFile file, uint32_t in
   std::vector<Token> tokens =
       Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_, dialect_);
   if (tokens.size() > token_max) {
-    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", limits_.tokens));
+    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个",
+                       limits_.tokens));
     return std::nullopt;
   }
   scanned_tokens_ += tokens.size();

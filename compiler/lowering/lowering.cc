@@ -168,7 +168,8 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
     }
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed = lowering::Print(program, source, lowering_options);
-      Compilation compilation = CompileCardText(path, printed.text, options, reader, {kLoweredBytesMax, kLoweredTokenMax});
+      Compilation compilation = CompileCardText(path, printed.text, options, reader,
+                                                {kLoweredBytesMax, kLoweredTokenMax});
       Translate(compilation, printed.origins, !program.assertions.empty(), reporter);
       if (!reporter.HasErrors()) {
         for (size_t i = 0; i < program.functions.size(); ++i) {

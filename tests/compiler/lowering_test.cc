@@ -270,28 +270,30 @@ TEST(Lowering, LocalsThatOnlyFeedThemselvesAreLeftOut) {
 TEST(Lowering, WhatIsKnownOutlivesBranchesThatAreDecided) {
   std::string calls;
   for (int i = 0; i < 200; ++i) calls += "  x += limited(x);\n";
-  const Lowering lowering =
-      Lower("int v;\nstatic int limited(int a) { if (a > 900) return 900; return 3; }\n"
-            "void t0() {\n  int x = 0;\n" + calls + "  v = x;\n}\n");
+  const Lowering lowering = Lower(
+      "int v;\nstatic int limited(int a) { if (a > 900) return 900; return 3; }\n"
+      "void t0() {\n  int x = 0;\n" +
+      calls + "  v = x;\n}\n");
   ASSERT_TRUE(lowering.text.has_value());
   EXPECT_THAT(*lowering.text, HasSubstr("  v = 600;\n"));
   EXPECT_EQ(lowering.costs[0].statements, 1);
 }
 
 TEST(Lowering, WhatIsKnownEndsWhereSeveralWaysMeet) {
-  const Lowering branch = Lower("int v;\nvoid t0() {\n  int x = 1;\n  if (v) x = 2;\n  v = x;\n}\n");
+  const Lowering branch =
+      Lower("int v;\nvoid t0() {\n  int x = 1;\n  if (v) x = 2;\n  v = x;\n}\n");
   ASSERT_TRUE(branch.text.has_value());
   EXPECT_THAT(*branch.text, HasSubstr("  v = x;\n"));
-  const Lowering loop =
-      Lower("int v;\nvoid t0() {\n  int x = 1;\nagain:\n  v = x;\n  x = 2;\n  if (v) goto again;\n}\n");
+  const Lowering loop = Lower(
+      "int v;\nvoid t0() {\n  int x = 1;\nagain:\n  v = x;\n  x = 2;\n  if (v) goto again;\n}\n");
   ASSERT_TRUE(loop.text.has_value());
   EXPECT_THAT(*loop.text, HasSubstr("  v = x;\n"));
 }
 
 TEST(Lowering, ABranchWhoseWaysMeetAtOnceIsLeftOut) {
-  const Lowering lowering =
-      Lower("int v, w, h;\nvoid t0() {\n  while (v) {\n    v--;\n    if (w) {\n"
-            "      if (w > 3) continue;\n      continue;\n    }\n    h = 1;\n  }\n}\n");
+  const Lowering lowering = Lower(
+      "int v, w, h;\nvoid t0() {\n  while (v) {\n    v--;\n    if (w) {\n"
+      "      if (w > 3) continue;\n      continue;\n    }\n    h = 1;\n  }\n}\n");
   ASSERT_TRUE(lowering.text.has_value());
   EXPECT_THAT(*lowering.text, testing::Not(HasSubstr("= w > 3;")));
 }
