@@ -110,11 +110,7 @@ int Lowerer::NewLabel(std::string_view construct, SourceRange keyword, std::stri
 }
 
 // A jump after another one is never reached.
-bool Lowerer::EndsInJump() const {
-  if (out_->code.empty()) return false;
-  const Instruction::Kind kind = out_->code.back().kind;
-  return kind == Instruction::Kind::kGoto || kind == Instruction::Kind::kReturn;
-}
+bool Lowerer::EndsInJump() const { return !out_->code.empty() && !out_->code.back().GoesOn(); }
 
 void Lowerer::BeginFullExpression(SourceRange range) {
   statement_ = static_cast<int>(program_.statements.size());

@@ -141,7 +141,7 @@ std::vector<std::vector<size_t>> Lowerer::WaysTo() const {
     if (jumps.contains(i)) continue;
     const bool label = instruction.kind == Instruction::Kind::kLabel;
     if (label && ends.contains(instruction.label)) continue;
-    if (!label && instruction.label >= 0) {
+    if (instruction.Jumps()) {
       before[static_cast<size_t>(positions[static_cast<size_t>(instruction.label)])].push_back(i);
     }
     const bool leaves =

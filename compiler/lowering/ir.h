@@ -95,6 +95,10 @@ struct Instruction {
 
   bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
   bool IsStatement() const { return kind != Kind::kLabel && kind != Kind::kAssert; }
+  /// To its label, always or under a condition.
+  bool Jumps() const { return kind == Kind::kGoto || kind == Kind::kIf; }
+  /// The next one may follow.
+  bool GoesOn() const { return kind != Kind::kGoto && kind != Kind::kReturn; }
 };
 
 /// Replaces what an instruction does by a copy of a value to its target.

@@ -57,11 +57,6 @@ class Copies {
 
   static size_t At(const Operand& operand) { return static_cast<size_t>(operand.variable); }
 
-  static bool Jumps(const Instruction& instruction) {
-    return instruction.kind == Instruction::Kind::kGoto ||
-           instruction.kind == Instruction::Kind::kIf;
-  }
-
   Ways& WaysTo(int label) { return ways_[static_cast<size_t>(label)]; }
 
   void FindWaysBack() {
@@ -69,7 +64,7 @@ class Copies {
     for (const Instruction& instruction : function_.code) {
       if (instruction.kind == Instruction::Kind::kLabel) {
         passed[static_cast<size_t>(instruction.label)] = 1;
-      } else if (Jumps(instruction)) {
+      } else if (instruction.Jumps()) {
         WaysTo(instruction.label).back |= passed[static_cast<size_t>(instruction.label)] != 0;
       }
     }
@@ -88,7 +83,7 @@ class Copies {
 
   void Leave(const Instruction& instruction) {
     if (instruction.kind == Instruction::Kind::kReturn) reached_ = false;
-    if (!Jumps(instruction)) return;
+    if (!instruction.Jumps()) return;
     // ThreadJumps() decides the constant ones.
     const bool decided = instruction.a.IsConstant();
     if (decided && instruction.a.value == 0) return;

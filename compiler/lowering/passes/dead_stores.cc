@@ -77,9 +77,7 @@ class NeededStores {
     block_of_.reserve(code_.size());
     for (size_t i = 0; i < code_.size(); ++i) {
       const bool begins = i == 0 || code_[i].kind == Instruction::Kind::kLabel ||
-                          code_[i - 1].kind == Instruction::Kind::kGoto ||
-                          code_[i - 1].kind == Instruction::Kind::kIf ||
-                          code_[i - 1].kind == Instruction::Kind::kReturn;
+                          code_[i - 1].Jumps() || !code_[i - 1].GoesOn();
       if (begins) {
         blocks_.emplace_back();
         blocks_.back().begin = i;
@@ -89,10 +87,8 @@ class NeededStores {
     }
     for (size_t b = 0; b < blocks_.size(); ++b) {
       const Instruction& last = code_[blocks_[b].end - 1];
-      const bool falls =
-          last.kind != Instruction::Kind::kGoto && last.kind != Instruction::Kind::kReturn;
-      if (falls && b + 1 < blocks_.size()) blocks_[b + 1].before.push_back(b);
-      if (last.kind == Instruction::Kind::kGoto || last.kind == Instruction::Kind::kIf) {
+      if (last.GoesOn() && b + 1 < blocks_.size()) blocks_[b + 1].before.push_back(b);
+      if (last.Jumps()) {
         const int position = positions[static_cast<size_t>(last.label)];
         blocks_[block_of_[static_cast<size_t>(position)]].before.push_back(b);
       }

@@ -14,9 +14,7 @@ class Jumps {
   bool Run() {
     Decide();
     for (Instruction& instruction : code_) {
-      if (instruction.kind != Instruction::Kind::kGoto &&
-          instruction.kind != Instruction::Kind::kIf)
-        continue;
+      if (!instruction.Jumps()) continue;
       const int label = Final(instruction.label);
       changed_ |= label != instruction.label;
       instruction.label = label;
@@ -88,7 +86,7 @@ class Jumps {
 
   void Shorten(size_t i) {
     Instruction& jump = code_[i];
-    if (jump.kind != Instruction::Kind::kGoto && jump.kind != Instruction::Kind::kIf) return;
+    if (!jump.Jumps()) return;
     if (LeadsToNext(i, jump.label)) {
       Remove(jump);
       return;

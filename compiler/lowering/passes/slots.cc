@@ -113,12 +113,10 @@ class SlotSharing {
     const std::vector<int> positions = LabelPositions(function_);
     next_.resize(code_.size());
     for (size_t i = 0; i < code_.size(); ++i) {
-      const Instruction::Kind kind = code_[i].kind;
-      if (kind == Instruction::Kind::kGoto || kind == Instruction::Kind::kIf) {
+      if (code_[i].Jumps()) {
         next_[i].push_back(static_cast<size_t>(positions[static_cast<size_t>(code_[i].label)]));
       }
-      const bool goes_on = kind != Instruction::Kind::kGoto && kind != Instruction::Kind::kReturn;
-      if (goes_on && i + 1 < code_.size()) next_[i].push_back(i + 1);
+      if (code_[i].GoesOn() && i + 1 < code_.size()) next_[i].push_back(i + 1);
     }
   }
 

@@ -33,10 +33,7 @@ std::vector<Loop> LoopsOf(const LoweredFunction& function) {
   std::vector<Loop> loops;
   for (size_t i = 0; i < function.code.size(); ++i) {
     const Instruction& instruction = function.code[i];
-    if (instruction.kind != Instruction::Kind::kGoto &&
-        instruction.kind != Instruction::Kind::kIf) {
-      continue;
-    }
+    if (!instruction.Jumps()) continue;
     const int position = positions[static_cast<size_t>(instruction.label)];
     if (position <= static_cast<int>(i)) loops.push_back({position, static_cast<int>(i)});
   }

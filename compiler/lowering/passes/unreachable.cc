@@ -8,9 +8,7 @@ namespace oncard::compiler::lowering {
 void RemoveUnusedLabels(LoweredFunction& function) {
   std::vector<char> named(function.labels.size());
   for (const Instruction& instruction : function.code) {
-    const bool jumps =
-        instruction.kind == Instruction::Kind::kGoto || instruction.kind == Instruction::Kind::kIf;
-    if (jumps) named[static_cast<size_t>(instruction.label)] = 1;
+    if (instruction.Jumps()) named[static_cast<size_t>(instruction.label)] = 1;
   }
   std::erase_if(function.code, [&named](const Instruction& instruction) {
     return instruction.kind == Instruction::Kind::kLabel &&
@@ -29,12 +27,10 @@ bool RemoveUnreachable(LoweredFunction& function) {
     while (i < code.size() && reached[i] == 0) {
       reached[i] = 1;
       const Instruction& instruction = code[i];
-      if (instruction.kind == Instruction::Kind::kReturn) break;
-      if (instruction.kind == Instruction::Kind::kGoto ||
-          instruction.kind == Instruction::Kind::kIf) {
+      if (instruction.Jumps()) {
         open.push_back(static_cast<size_t>(positions[static_cast<size_t>(instruction.label)]));
       }
-      if (instruction.kind == Instruction::Kind::kGoto) break;
+      if (!instruction.GoesOn()) break;
       ++i;
     }
   }

@@ -91,7 +91,6 @@ class ReachedCalls {
     for (; i < code_.size() && !reached_[i]; ++i) {
       reached_[i] = true;
       const Instruction& instruction = code_[i];
-      if (instruction.kind == Instruction::Kind::kReturn) return;
       if (const auto body = by_number_.Assigned(instruction)) {
         Reach(bodies_[*body], instruction.a.value);
       }
@@ -102,8 +101,8 @@ class ReachedCalls {
         Leave(body, test->second.second);
         return;
       }
-      if (instruction.label >= 0 && instruction.kind != Instruction::Kind::kLabel) Jump(i);
-      if (instruction.kind == Instruction::Kind::kGoto) return;
+      if (instruction.Jumps()) Jump(i);
+      if (!instruction.GoesOn()) return;
     }
   }
 
