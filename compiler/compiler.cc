@@ -63,9 +63,13 @@ bool ReadWarningOption(std::string_view text, Options* options) {
   return false;
 }
 
+bool IsStructured(const Options& options, std::string_view text) {
+  return options.structured || WantsStructured(text);
+}
+
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader) {
-  if (!options.structured && !WantsStructured(text)) {
+  if (!IsStructured(options, text)) {
     if (!options.recognize_structured) {
       return CompileCardText(path, std::move(text), options, reader);
     }

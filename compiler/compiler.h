@@ -68,6 +68,9 @@ Compilation Compile(const std::string& path, const Options& options, const FileR
 /// The same, reading from the file system.
 Compilation Compile(const std::string& path, const Options& options = {});
 
+/// True for structured C: the options say so, or the first line of the program.
+bool IsStructured(const Options& options, std::string_view text);
+
 /// Compiles text that is in memory under the name `path`; includes go through `reader`. A program
 /// of structured C is lowered first; diagnostics and lines of the object are those of its source.
 Compilation CompileText(const std::string& path, std::string text, const Options& options,

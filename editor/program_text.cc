@@ -54,9 +54,8 @@ void AddComments(const CommentedText& source, size_t begin, size_t end, int file
 
 ProgramText::ProgramText(const std::string& path, std::string text,
                          const compiler::Options& options, const compiler::FileReader& reader)
-    : dialect_(options.structured || compiler::WantsStructured(text)
-                   ? compiler::Dialect::kStructured
-                   : compiler::Dialect::kCard),
+    : dialect_(compiler::IsStructured(options, text) ? compiler::Dialect::kStructured
+                                                     : compiler::Dialect::kCard),
       catalogue_(options.catalogue) {
   Add(compiler::SourceFile(path, std::move(text)), options, reader, 0);
 }

@@ -254,15 +254,11 @@ Result<Json> Fixes(Arguments& arguments, const EditorContext& context) {
   return answer;
 }
 
-bool IsStructured(const editor::ProgramFiles& program) {
-  return program.options.structured || compiler::WantsStructured(program.text);
-}
-
 Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
   const auto program = ReadWholeProgram(arguments, context);
   if (!program.ok()) return program.error();
   const auto& [path, text, options, reader] = program.value();
-  if (!IsStructured(program.value())) {
+  if (!compiler::IsStructured(options, text)) {
     return MakeError(1, "'{0}' is not structured C: there is nothing to lower",
                      "“{0}”不是结构化 C：无需转换", path);
   }
@@ -307,7 +303,7 @@ Result<Json> TwoColumns(Arguments& arguments, const EditorContext& context) {
   const auto program = ReadWholeProgram(arguments, context);
   if (!program.ok()) return program.error();
   const auto& [path, text, options, reader] = program.value();
-  if (!IsStructured(program.value())) {
+  if (!compiler::IsStructured(options, text)) {
     return CompiledJson(compiler::CompileText(path, text, options, reader), context.language);
   }
   compiler::Lowering lowering =

@@ -8,7 +8,6 @@
 
 #include "base/limits.h"
 #include "compiler/diagnostic_printer.h"
-#include "compiler/dialect.h"
 #include "compiler/fix_it_applier.h"
 #include "tools/commands.h"
 #include "tools/compile_arguments.h"
@@ -83,7 +82,7 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
     return std::nullopt;
   }
   const std::string name(source == kStandardInput ? kStandardInputName : source);
-  const bool structured = compile.structured || compiler::WantsStructured(text.value());
+  const bool structured = compiler::IsStructured(compile, text.value());
   if (options.fix && structured) {
     *code = std::max<int>(
         *code,
