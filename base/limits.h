@@ -37,9 +37,9 @@ inline constexpr FileKind kOwnKind = {"a file", "文件", 1024 * kMebibyte};
 /// Tokens of a program and all it includes.
 inline constexpr size_t kTokenMax = size_t{1} << 20;
 
-/// Of the text that structured C becomes: room for all statements of a card, 32 functions of 32767.
+/// Bytes of the text that structured C becomes: room for all statements of a card, 32 functions of
+/// 32767.
 inline constexpr size_t kLoweredBytesMax = 64 * kMebibyte;
-inline constexpr size_t kLoweredTokenMax = size_t{1} << 24;
 
 /// Nested brackets of a scenario's value, parts of a dotted key, and total number of keys.
 inline constexpr size_t kTomlDepthMax = 32;

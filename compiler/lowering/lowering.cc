@@ -33,6 +33,11 @@ void Translate(const Compilation& compilation, const std::vector<SourceRange>& o
   const SourceFile& text = compilation.files[0];
   const auto origin = [&](const SourceRange& range) { return OriginOf(range, text, origins); };
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    // It includes nothing that could not be read: the text is too long itself.
+    if (diagnostic.info->code == static_cast<int>(Code::kCannotOpen)) {
+      reporter.Report(Code::kLoweredTooLong, SourceRange(), text.path());
+      continue;
+    }
     // An assert keeps values that nothing else reads; without them the passes remove such values.
     if (has_asserts && diagnostic.info->code == static_cast<int>(Code::kUnusedResult)) continue;
     const SourceRange place = origin(diagnostic.range);
@@ -169,7 +174,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed = lowering::Print(program, source, lowering_options);
       Compilation compilation = CompileCardText(path, printed.text, options, reader,
-                                                {kLoweredBytesMax, kLoweredTokenMax});
+                                                {kLoweredBytesMax, kLoweredBytesMax});
       Translate(compilation, printed.origins, !program.assertions.empty(), reporter);
       if (!reporter.HasErrors()) {
         for (size_t i = 0; i < program.functions.size(); ++i) {

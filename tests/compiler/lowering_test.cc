@@ -178,6 +178,18 @@ TEST(LoweringLimits, TheLoweredTextIsLongerThanAProgramMayBe) {
   EXPECT_GT(lowering.text->size(), kSourceKind.bytes_max);
 }
 
+// Each thread function has the comments of what it calls.
+TEST(LoweringLimits, TheLoweredTextHasALimitOfItsOwn) {
+  std::string text = "int v;\nstatic void called() {\n  /*\n";
+  for (int line = 0; line < 24'000; ++line) text += std::string(95, '.') + "\n";
+  text += "  */\n  v++;\n}\n";
+  for (int function = 0; function < 32; ++function) {
+    text += fmt::format("void t{}() {{ called(); }}\n", function);
+  }
+  EXPECT_TRUE(Lower(text, {.comments = false}).object.has_value());
+  ExpectError(text, Codes{239}, 1, "'p.c' becomes too long");
+}
+
 TEST(LoweringLimits, SlotsOfTheGlobalsNameTheLargest) {
   ExpectError("int a[100], b[700],\n  c[300];\nvoid t0() { a[0] = b[0] + c[0]; }\n", Codes{237}, 2,
               "1100 slots of 1024; the largest: b (700), c (300), a (100)");

@@ -41,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
     Limits, LimitPageTest,
     testing::Values(PageRow{"bytes of a program and all it includes", kSourceKind.bytes_max},
                     PageRow{"tokens of a program and all it includes", kTokenMax},
+                    PageRow{"bytes of what a program of structured C becomes", kLoweredBytesMax},
                     PageRow{"bytes of a `.bin` or `.ini`", kObjectKind.bytes_max},
                     PageRow{"bytes of a scenario", kScenarioKind.bytes_max},
                     PageRow{"keys and tables of a scenario", kTomlKeyMax},
