@@ -120,6 +120,21 @@ test("another program that does not compile leaves nothing of the card", async (
   });
 });
 
+test("a run is brought to a moment, past a requirement that does not hold", async () => {
+  edit("scenario.toml", 'program = "program.c"\nalways = ["x < 1"]\n');
+  await vi.waitFor(() => {
+    expect([isEdited.value, notice()]).toEqual([false, "ready"]);
+  });
+  await bench.runTo(2);
+  expect(moment()).toBe(2);
+  await bench.runTo(1_000_000);
+  expect(session.notice.value).toMatchObject({ kind: "stopped", stop: { reason: "end" } });
+  const end = moment();
+  await bench.goTo({ moment: 0 });
+  await bench.runTo(3);
+  expect([moment(), end]).toEqual([3, present.state.value?.head]);
+});
+
 test("a run ends, and begins anew after the end", async () => {
   await bench.run();
   const end = moment();

@@ -340,14 +340,15 @@ class Bench {
     );
   }
 
-  /** From the present moment to a later one, or to where the run stops before it. */
+  /** From the present moment to a later one, past whatever stops a run, or to its end. */
   runTo(moment: number): Promise<void> {
     return this.#walking(async (engine, signal) => {
       let state = await engine.state();
       while (state.moment < moment && !signal.aborted) {
         const steps = Math.min(moment - state.moment, stepsOfRun);
-        const result = await engine.forward({ goal: "stop" }, steps);
-        if (result.stop.reason !== "budget") return this.#arrived(result);
+        const result = await engine.forward({ goal: "end" }, steps);
+        const isOver = result.stop.reason === "end" || result.state.moment === state.moment;
+        if (isOver) return this.#arrived(result);
         ({ state } = result);
       }
       return this.#show(state, { kind: "ready" });
