@@ -72,7 +72,7 @@ struct Symbol {
   DataType type = DataType::kInt;
   uint16_t array_size = 0;  ///< elements, 0 for what is not an array
   /// Of structured C: how its source calls it, with all sizes, `axis[3].gains[2]` or `m[2][3]`; the
-  /// elements are in that order. Empty: as above. The files of an object do not have it.
+  /// elements are in that order. Empty: as above.
   std::string written = {};
   bool operator==(const Symbol&) const = default;
 

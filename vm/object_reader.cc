@@ -25,6 +25,7 @@
 #include "vm/object_error.h"
 #include "vm/object_writer.h"
 #include "vm/record.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::vm {
 namespace {
@@ -251,6 +252,28 @@ Result<std::vector<uint16_t>> ReadLines(const std::optional<Section>& section) {
   return lines;
 }
 
+// `name=written`, of symbols that the section of the variables has.
+Result<void> ReadNames(const std::optional<Section>& section, std::vector<Symbol>* symbols) {
+  if (!section) return {};
+  std::map<std::string_view, Symbol*> by_name;
+  for (Symbol& symbol : *symbols) by_name.emplace(symbol.name, &symbol);
+  std::set<std::string_view> taken;
+  for (const Entry& entry : section->entries) {
+    const auto found = by_name.find(entry.key);
+    if (found == by_name.end()) {
+      return IniError(entry.line, "there is no variable '{0}'", "没有变量“{0}”",
+                      Printable(entry.key));
+    }
+    found->second->written = entry.value;
+    if (!IsWrittenName(*found->second) || !taken.insert(entry.value).second) {
+      return IniError(entry.line, "'{0}' cannot be what C calls '{1}'",
+                      "“{0}”不能是“{1}”在 C 中的名称", Printable(entry.value),
+                      Printable(entry.key));
+    }
+  }
+  return {};
+}
+
 // Everything but the instructions.
 Result<Object> ReadIni(const ObjectFiles& files) {
   std::string_view ini = files.ini;
@@ -288,6 +311,12 @@ Result<Object> ReadIni(const ObjectFiles& files) {
     Result<DoubleFormat> format = ReadOncardSection(*oncard, files.bin);
     if (!format.ok()) return format.error();
     object.double_format = format.value();
+    Result<void> names = ReadNames(TakeSection("names", &sections), &object.globals);
+    for (Function& function : object.functions) {
+      if (!names.ok()) break;
+      names = ReadNames(TakeSection(function.name + ".names", &sections), &function.variables);
+    }
+    if (!names.ok()) return names.error();
   }
   if (!sections.empty()) {
     const auto& [name, section] = *sections.begin();

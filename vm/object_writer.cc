@@ -5,6 +5,7 @@
 
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "vm/record.h"
 
@@ -63,6 +64,16 @@ std::string WriteVendorSections(const Object& object) {
   return ini;
 }
 
+// What structured C calls the symbols, where that is another name; without such no section.
+void WriteNames(std::string_view section, const std::vector<Symbol>& symbols, std::string* ini) {
+  bool begun = false;
+  for (const Symbol& symbol : symbols) {
+    if (symbol.written.empty()) continue;
+    if (!std::exchange(begun, true)) *ini += fmt::format("[{}]\n", section);
+    *ini += fmt::format("{}={}\n", symbol.name, symbol.written);
+  }
+}
+
 /// The polynomial of ITU-T V.42, reflected.
 constexpr uint32_t kChecksumPolynomial = 0xEDB88320;
 
@@ -99,6 +110,10 @@ ObjectFiles WriteObject(const Object& object, bool vendor_format) {
     fmt::format_to(std::back_inserter(files.ini),
                    "[oncard]\nformat={}\ndouble={}\nbin_crc32={:08x}\n", kObjectFormat,
                    DoubleFormatName(object.double_format), BinChecksum(files.bin));
+    WriteNames("names", object.globals, &files.ini);
+    for (const Function& function : object.functions) {
+      WriteNames(function.name + ".names", function.variables, &files.ini);
+    }
   }
   return files;
 }

@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "base/number.h"
+#include "vm/limits.h"
 
 namespace oncard::vm {
 namespace {
@@ -190,7 +191,30 @@ std::optional<Result<std::vector<NamedSlots>>> FindSymbol(std::span<const Symbol
 
 }  // namespace
 
+bool IsIdentifier(std::string_view text) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !text.empty() && is_letter(text.front()) &&
+         std::ranges::all_of(text, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+}
+
 bool IsName(std::string_view text) { return !Split(text).empty(); }
+
+bool IsWrittenName(const Symbol& symbol) {
+  const std::vector<Part> parts = Split(symbol.written);
+  int64_t elements = 1;
+  bool is_array = false;
+  for (const Part& part : parts) {
+    if (!IsIdentifier(part.name)) return false;
+    for (const int size : part.numbers) {
+      if (size < 1 || size > kSlotCount) return false;
+      is_array = true;
+      elements = std::min(elements * size, int64_t{kSlotCount} + 1);
+    }
+  }
+  return !parts.empty() && is_array == (symbol.array_size != 0) && elements == symbol.slots();
+}
 
 Result<std::vector<NamedSlots>> FindNamed(std::span<const Symbol> symbols, std::string_view name) {
   std::vector<NamedSlots> found;

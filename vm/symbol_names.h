@@ -20,8 +20,14 @@
 
 namespace oncard::vm {
 
+/// True for a name of C of any length, without indices and members.
+bool IsIdentifier(std::string_view text);
+
 /// True for a text that has the form of a name: indices are numbers in brackets.
 bool IsName(std::string_view text);
+
+/// True if `written` is a name that C can have for the symbol: as many elements, if it is an array.
+bool IsWrittenName(const Symbol& symbol);
 
 /// Consecutive slots of a symbol.
 struct NamedSlots {

@@ -13,6 +13,7 @@
 
 #include "vm/limits.h"
 #include "vm/object_error.h"
+#include "vm/symbol_names.h"
 
 namespace oncard::vm {
 namespace {
@@ -26,13 +27,8 @@ struct Slot {
 
 using SlotTable = std::vector<Slot>;
 
-bool IsIdentifier(std::string_view name) {
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  if (name.empty() || name.size() > kNameLengthMax || !is_letter(name.front())) return false;
-  return std::all_of(name.begin(), name.end(),
-                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+bool IsNameOfCard(std::string_view name) {
+  return name.size() <= kNameLengthMax && IsIdentifier(name);
 }
 
 bool IsMember(const Symbol& symbol) { return symbol.name.find('.') != std::string::npos; }
@@ -105,9 +101,9 @@ class Verifier {
       const Symbol& symbol = symbols[i];
       const std::string name = Printable(symbol.name);
       const std::string_view base = BaseName(symbol);
-      if (!IsIdentifier(base) ||
+      if (!IsNameOfCard(base) ||
           (IsMember(symbol) &&
-           (symbol.array_size != 0 || !IsIdentifier(symbol.name.substr(base.size() + 1))))) {
+           (symbol.array_size != 0 || !IsNameOfCard(symbol.name.substr(base.size() + 1))))) {
         return Fail("'{0}' is not the name of a variable or of a structure's member",
                     "“{0}”不是变量名或结构体成员名", name);
       }
@@ -173,7 +169,7 @@ class Verifier {
 
   bool CheckNames(const std::string& printable_name) {
     const Function& function = *function_;
-    if (!IsIdentifier(function.name)) {
+    if (!IsNameOfCard(function.name)) {
       return Fail("'{0}' is not the name of a function", "“{0}”不是函数名", printable_name);
     }
     if (!function_names_.insert(function.name).second) {

@@ -79,6 +79,20 @@ TEST(Build, SaysWhatItsOutputIs) {
   }
 }
 
+TEST(Build, KeepsTheNamesOfCUnlessTheFilesAreAVendors) {
+  const ScratchFolder scratch;
+  const std::string source =
+      scratch.Write("p.c",
+                    "//@ structured\nstruct axis { int number, target; };\nstruct axis axis[3];\n"
+                    "void t0(int n) { axis[2].target = n; }\n");
+  const std::vector<std::string> run = {"run", scratch.path() + "/p.bin", "--thread=0=t0:n=4",
+                                        "--show=axis[2].target"};
+  ASSERT_EQ(RunOncard({"build", source}).exit_code, 0);
+  EXPECT_THAT(RunOncard(run).out, HasSubstr("\naxis[2].target = 4\n"));
+  ASSERT_EQ(RunOncard({"build", "--vendor-format", source}).exit_code, 0);
+  EXPECT_THAT(RunOncard(run).err, HasSubstr("nothing is named 'axis[2].target'"));
+}
+
 TEST(Build, RefusesAnObject) { EXPECT_EQ(RunOncard({"build", "p.bin"}).exit_code, 2); }
 
 TEST(Build, StoresTheWidthOfDouble) {

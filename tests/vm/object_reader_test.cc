@@ -43,6 +43,16 @@ TEST(ObjectReaderTest, SamplesComeBack) {
   ExpectRoundTrip(StructureObject(), false);
 }
 
+TEST(ObjectReaderTest, NamesOfCComeBack) {
+  Object object = ArrayObject();
+  object.globals[1].written = "table[2][4]";
+  object.functions[0].variables[1].written = "axis[5].a_name_that_is_longer_than_the_card_has_any";
+  ExpectRoundTrip(object, false);
+  object = StructureObject();
+  for (Symbol& symbol : object.functions[0].variables) symbol.written = "page." + symbol.name;
+  ExpectRoundTrip(object, false);
+}
+
 TEST(ObjectReaderTest, VendorObjectHasWideDoubles) {
   Object object = SumObject();
   object.double_format = DoubleFormat::k16_16;
@@ -224,6 +234,44 @@ struct IniChange {
   std::string to;
   std::string message;  // of a refusal
 };
+
+// What C calls a variable is another name, of as many elements. They follow line 26.
+TEST(IniNamesTest, AreThoseOfVariables) {
+  struct Row {
+    std::string names;
+    std::string message;
+  };
+  for (const Row& row : std::vector<Row>{
+           {"[names]\nn=m\n", "accepted"},
+           {"[names]\ntable=t[2][2].x[2]\n", "accepted"},
+           {"[work.names]\na=s.list[5]\n[names]\nn=s.n\n", "accepted"},
+           {"[names]\nother=m\n", "line 28 of the .ini: there is no variable 'other'"},
+           {"[names]\ni=m\n", "line 28 of the .ini: there is no variable 'i'"},
+           {"[names]\nn=\n", "line 28 of the .ini: '' cannot be what C calls 'n'"},
+           {"[names]\nn=1m\n", "line 28 of the .ini: '1m' cannot be what C calls 'n'"},
+           {"[names]\nn=a..b\n", "line 28 of the .ini: 'a..b' cannot be what C calls 'n'"},
+           {"[names]\nn=m[1]\n", "line 28 of the .ini: 'm[1]' cannot be what C calls 'n'"},
+           {"[names]\ntable=t[2][5]\n",
+            "line 28 of the .ini: 't[2][5]' cannot be what C calls 'table'"},
+           {"[names]\ntable=t[-8]\n",
+            "line 28 of the .ini: 't[-8]' cannot be what C calls 'table'"},
+           {"[names]\ntable=t[65536][65536][2][4]\n",
+            "line 28 of the .ini: 't[65536][65536][2][4]' cannot be what C calls 'table'"},
+           {"[names]\nn=m\ntable=m\n", "line 29 of the .ini: 'm' cannot be what C calls 'table'"},
+           {"[other.names]\nn=m\n",
+            "line 27 of the .ini: section 'other.names' belongs to no function"},
+       }) {
+    ObjectFiles files = WriteObject(ArrayObject(), false);
+    files.ini += row.names;
+    EXPECT_EQ(MessageOf(files), row.message) << row.names;
+  }
+}
+
+TEST(IniNamesTest, OfAVendorAreNone) {
+  ObjectFiles files = WriteObject(SumObject(), true);
+  files.ini += "[names]\nsum=total\n";
+  EXPECT_EQ(MessageOf(files), "line 18 of the .ini: section 'names' belongs to no function");
+}
 
 // The .ini of SumObject(), for reference:
 //    1 [function]   2 add=1,sum.c,1   3 [global]   4 sum=0,1   5 [add.line]   6..12 0=13 .. 6=21

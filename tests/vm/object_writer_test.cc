@@ -11,6 +11,7 @@
 namespace oncard::vm {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 // The vendor's object of example 10-1, word by word.
@@ -59,6 +60,16 @@ TEST(ObjectWriterTest, OwnSectionFollowsTheVendorsWithFormatAndChecksum) {
   EXPECT_EQ(own.bin, vendor.bin);
   // The CRC-32 of the 140 bytes above, by Python's zlib.crc32.
   EXPECT_EQ(own.ini, vendor.ini + "[oncard]\nformat=1\ndouble=32.16\nbin_crc32=e72a6151\n");
+}
+
+TEST(ObjectWriterTest, NamesOfCFollowUnlessTheFilesAreAVendors) {
+  Object object = ArrayObject();
+  object.globals[1].written = "table[2][4]";
+  object.functions[0].variables[0].written = "axis.i";
+  object.functions[0].variables[1].written = "axis.list[5]";
+  EXPECT_THAT(WriteObject(object, false).ini, EndsWith("\n[names]\ntable=table[2][4]\n"
+                                                       "[work.names]\ni=axis.i\na=axis.list[5]\n"));
+  EXPECT_EQ(WriteObject(object, true).ini, WriteObject(ArrayObject(), true).ini);
 }
 
 TEST(ObjectWriterTest, NarrowDoublesAreNamed) {
