@@ -152,6 +152,16 @@ std::vector<std::vector<size_t>> Lowerer::WaysTo() const {
   return before;
 }
 
+// What an operand reads or writes: one variable, or those of all members of a structure of the
+// card.
+Lowerer::VariableRange Lowerer::VariablesOf(const Operand& operand) const {
+  const int first = operand.variable + operand.member;
+  if (operand.kind != Operand::Kind::kVariable) return {first, first + 1};
+  const gtcalls::Structure* const structure =
+      program_.variables[static_cast<size_t>(first)].structure;
+  return {first, first + (structure != nullptr ? static_cast<int>(structure->members.size()) : 1)};
+}
+
 // The variables that may have a value when a call within a group begins: parameters, and what the
 // statements before it write.
 std::set<int> Lowerer::WrittenBefore(const RecursiveCall& call,
@@ -170,8 +180,11 @@ std::set<int> Lowerer::WrittenBefore(const RecursiveCall& call,
     open.pop_back();
     if (seen[i]) continue;
     seen[i] = true;
-    ForEachOperand(out_->code[i], [&written](const Operand& operand, bool writes) {
-      if (writes) written.insert(operand.variable);
+    ForEachOperand(out_->code[i], [&](const Operand& operand, bool writes) {
+      const VariableRange changed = VariablesOf(operand);
+      for (int variable = changed.begin; writes && variable < changed.end; ++variable) {
+        written.insert(variable);
+      }
     });
     open.insert(open.end(), before[i].begin(), before[i].end());
   }
@@ -192,7 +205,10 @@ void Lowerer::FindKept(int group) {
   for (size_t i = 0; i < code.size(); ++i) {
     ForEachOperand(code[i], [&](const Operand& operand, bool written) {
       read(operand.index, i);
-      if (!written || operand.address) read(operand.variable, i);
+      const VariableRange used = VariablesOf(operand);
+      for (int variable = used.begin; variable < used.end; ++variable) {
+        if (!written || operand.address) read(variable, i);
+      }
     });
   }
   std::vector<std::set<int>> written;  // by call
@@ -207,7 +223,8 @@ void Lowerer::FindKept(int group) {
       open.pop_back();
       for (const size_t from : before[i]) {
         const Operand& target = code[from].target;
-        const bool writes = target.IsVariable() && target.variable == variable;
+        const bool whole = target.IsVariable() || target.kind == Operand::Kind::kMember;
+        const bool writes = whole && VariablesOf(target).begin == variable;
         if (writes || needed[from] == variable) continue;
         needed[from] = variable;
         open.push_back(from);
@@ -219,6 +236,15 @@ void Lowerer::FindKept(int group) {
       if (has_value && needed[call.restore] == variable) call.kept.push_back(variable);
     }
   }
+}
+
+// What the array of a variable is called.
+std::string Lowerer::KeptName(int number) const {
+  const Variable& variable = program_.variables[static_cast<size_t>(number)];
+  if (variable.structure == nullptr) return fmt::format("{}_kept", variable.name);
+  const std::string& whole = program_.variables[static_cast<size_t>(number - variable.member)].name;
+  return fmt::format("{}_{}_kept", whole,
+                     variable.structure->members[static_cast<size_t>(variable.member)].name);
 }
 
 // Gives each variable that is kept an array. Temporaries have no names, so they share arrays, each
@@ -240,13 +266,6 @@ void Lowerer::MakeArrays(int group, const Group& sizes) {
     for (const int number : call.kept) {
       const Variable variable = program_.variables[static_cast<size_t>(number)];
       const bool temporary = variable.role == Variable::Role::kTemporary;
-      if (variable.structure != nullptr) {
-        Report(Code::kNotLowered, variable.range,
-               MakeMessage("a {0} of which each call of '{1}' has its own",
-                           "'{1}' 的每次调用各有一份的 {0}", variable.structure->name, name),
-               MakeMessage("make it static or global", "请改为 static 或全局变量"));
-        return;
-      }
       int* array = nullptr;
       if (temporary) {
         std::vector<int>& known = of_temporaries[variable.type];
@@ -257,9 +276,8 @@ void Lowerer::MakeArrays(int group, const Group& sizes) {
         array = &arrays.try_emplace(number, -1).first->second;
       }
       if (*array < 0) {
-        *array = NewArray(
-            frames, fmt::format("{}_kept", temporary ? name : std::string_view(variable.name)),
-            variable.type, 1);
+        *array = NewArray(frames, temporary ? fmt::format("{}_kept", name) : KeptName(number),
+                          variable.type, 1);
         set_size(*array, std::max(variable.size, 1));
       }
       call.arrays.push_back(*array);

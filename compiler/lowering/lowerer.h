@@ -194,6 +194,10 @@ class Lowerer {
     std::vector<int> kept;    // variables that it needs afterwards
     std::vector<int> arrays;  // where they are meanwhile
   };
+  struct VariableRange {
+    int begin = 0;
+    int end = 0;
+  };
   // The variables of a group in the thread function that is being translated.
   struct Frames {
     Operand depth;     // how many frames are kept
@@ -521,9 +525,11 @@ class Lowerer {
   void OwnByFrames(int variable, const Type& type, int group);
   void EmitFrames();
   std::vector<std::vector<size_t>> WaysTo() const;
+  VariableRange VariablesOf(const Operand& operand) const;
   std::set<int> WrittenBefore(const RecursiveCall& call,
                               const std::vector<std::vector<size_t>>& before) const;
   void FindKept(int group);
+  std::string KeptName(int number) const;
   void MakeArrays(int group, const Group& sizes);
   int NewArray(const Frames& frames, std::string_view wish, vm::DataType type, int size);
   void CopyKept(const RecursiveCall& call, bool save);

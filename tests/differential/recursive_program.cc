@@ -49,15 +49,20 @@ class Generator : RandomChoices {
     std::string text = Header(number) + " {\n  int z = x + n, t = y;\n  struct pair own = p;\n";
     const bool list = Between(0, 1) == 0;
     if (list) text += "  int w[3] = {x, n, y ^ 1};\n";
+    const bool trap = Between(0, 2) == 0;
+    if (trap) text += "  TTrapPrm trap = {x & 63, n, 0.5, y & 7};\n";
     text += fmt::format("  if (n <= {}) return {};\n", seen_ ? "0" : Pick({"0", "1 - (x & 1)"}),
                         Value(1));
     for (int i = Between(1, 2); i > 0; --i) {
       text += Change(list);
+      if (trap) text += OfTheCard();
       text += Calls();
+      if (trap) text += OfTheCard();
       text += Change(list);
     }
-    text += fmt::format("  return {};\n}}\n", list ? Value(1) + " + w[z & 1] * w[2]" : Value(2));
-    return text;
+    std::string result = list ? Value(1) + " + w[z & 1] * w[2]" : Value(2);
+    if (trap) result += " + (int)(trap.acc * 2 - trap.velStart) * trap.smoothTime";
+    return text + fmt::format("  return {};\n}}\n", result);
   }
 
   std::string Pairs() {
@@ -111,6 +116,12 @@ class Generator : RandomChoices {
       default:
         return fmt::format("  w[{} & 1] += {};\n", Own(), Value(0));
     }
+  }
+
+  std::string OfTheCard() {
+    const std::string member = Pick({"acc", "dec", "velStart", "smoothTime"});
+    return Pick({fmt::format("  trap.{} += {} & 15;\n", member, Own()),
+                 "  GT_SetTrapPrm(n + 1, &trap);\n", "  GT_GetTrapPrm(n & 3, &trap);\n"});
   }
 
   std::string Call(const std::string& first) {
