@@ -136,3 +136,45 @@ test("a phone has no borders to drag", async ({ page }) => {
   await open(page);
   await expect(page.getByRole("separator")).toHaveCount(0);
 });
+
+test("a panel fills the page until Escape, and again when its layout comes back", async ({
+  page,
+}) => {
+  await open(page, "#lesson=first-axis");
+  await page.getByRole("button", { name: "Maximise: Scope" }).click();
+  await expect(page.locator("#program")).toBeHidden();
+  await expect(page.getByRole("separator")).toHaveCount(0);
+  const scope = await boxOf(page, "scope");
+  expect(scope.width).toBe(1424);
+  expect(scope.height).toBeGreaterThan(780);
+  await expectAccessible(page);
+  await page.reload();
+  await expect(page.locator("#scope")).toBeVisible();
+  await expect(page.locator("#program")).toBeHidden();
+  await page.goto("#lesson=lock");
+  await expect(page.locator("#program")).toBeVisible();
+  await page.goto("#lesson=first-axis");
+  await expect(page.locator("#program")).toBeHidden();
+  await page.getByRole("button", { name: "Maximise: Scope" }).press("Escape");
+  await expect(page.locator("#program")).toBeVisible();
+  await expect(page.getByRole("button", { name: "Maximise: Scope" })).toBeFocused();
+});
+
+test("each panel beside the lesson can fill the page, at every size", async ({ page }) => {
+  await open(page, "#lesson=lock");
+  for (const width of [1440, 1024]) {
+    await page.setViewportSize({ width, height: 768 });
+    for (const panel of ["Program", "Values", "Machine", "Timeline", "Scope"]) {
+      const button = page.getByRole("button", { name: `Maximise: ${panel}` });
+      await button.click();
+      const box = await boxOf(page, panel.toLowerCase());
+      expect(box.width, panel).toBe(width - 16);
+      expect(box.bottom, panel).toBe(760);
+      const own = await button.boundingBox();
+      expect(own && box.right - own.x - own.width, panel).toBeCloseTo(8, 0);
+      await button.click();
+    }
+  }
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect(page.getByRole("button", { name: /^Maximise/ })).toHaveCount(0);
+});

@@ -3,8 +3,8 @@
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
-import { namedLayout } from "./frame/current.js";
-import { Frame } from "./frame/frame.js";
+import { fillPage, namedLayout, wholePanel } from "./frame/current.js";
+import { Frame, WholeButton } from "./frame/frame.js";
 import { failingRun } from "./interleaving/failing_run.js";
 import { InterleavingPanel } from "./interleaving/panel.js";
 import { isOpening } from "./lesson/opening.js";
@@ -57,15 +57,19 @@ function ContentOf({ name }: { name: Panel }) {
 }
 
 function Box({ name }: { name: Panel }) {
+  const title = titleOf(name);
   const isOutdated = showsCard(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
-      class={`panel ${frontPanel() === name ? "front" : ""} ${isOutdated ? "outdated" : ""}`}
+      class={`panel ${frontPanel() === name ? "front" : ""} ${isOutdated ? "outdated" : ""} ${
+        wholePanel.value === name ? "whole" : ""
+      }`}
       aria-labelledby={`panel-${name}`}
       id={name}
     >
+      {name !== "lesson" && <WholeButton panel={name} title={title} />}
       <h2 class="panel-title" id={`panel-${name}`}>
-        {titleOf(name)}
+        {title}
       </h2>
       <ContentOf name={name} />
     </section>
@@ -90,8 +94,9 @@ export function App() {
         href="#program"
         onClick={(event) => {
           event.preventDefault();
+          fillPage(undefined);
           showPanel("program");
-          document.querySelector<HTMLElement>("#program button")?.focus();
+          document.querySelector<HTMLElement>("#program > div button")?.focus();
         }}
       >
         {t.skip}

@@ -8,6 +8,7 @@ import { App } from "./app.js";
 import { listenToKeys } from "./controls/actions.js";
 import { forgetOldVerdicts } from "./lesson/checks.js";
 import { beginOpening } from "./lesson/opening.js";
+import { followWishes } from "./frame/current.js";
 import { bench } from "./session/bench.js";
 import { followLanguage, followSource } from "./session/messages.js";
 import { followLesson, goToShared, openFirst, openNext } from "./share/opened_link.js";
@@ -30,6 +31,7 @@ import "./two_columns/view.css";
 keepSettings(navigator.language);
 applySettings();
 keepPlaces();
+followWishes();
 effect(() => {
   document.title = texts.value.title;
 });

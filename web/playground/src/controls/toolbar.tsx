@@ -12,7 +12,7 @@ import { isEdited } from "../session/on_card.js";
 import { openRecord, record } from "../session/record.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
-import { resetWidths, widthsOf } from "../store/places.js";
+import { placesOf, resetPlaces } from "../store/places.js";
 import {
   chooseLanguage,
   chooseSpeed,
@@ -163,7 +163,7 @@ export function Toolbar() {
               },
             },
             { text: texts.value.theme[theme.value], onChosen: chooseNextTheme },
-            ...(hasOtherWidths() ? [{ text: texts.value.frame.reset, onChosen: resetLayout }] : []),
+            ...(hasOtherPlaces() ? [{ text: texts.value.frame.reset, onChosen: resetLayout }] : []),
           ]}
         />
       </div>
@@ -180,14 +180,14 @@ export function Toolbar() {
   );
 }
 
-/** Whether the reader has made columns of this layout wider or narrower; phones have none. */
-function hasOtherWidths(): boolean {
+/** Whether the reader has changed this layout; phones have none. */
+function hasOtherPlaces(): boolean {
   const isPhone = matchMedia("(max-width: 760px)").matches;
-  return !isPhone && Object.keys(widthsOf(layoutName.value)).length > 0;
+  return !isPhone && Object.keys(placesOf(layoutName.value)).length > 0;
 }
 
 function resetLayout(): void {
-  resetWidths(layoutName.peek());
+  resetPlaces(layoutName.peek());
 }
 
 function chooseNextTheme(): void {

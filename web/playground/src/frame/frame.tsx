@@ -1,9 +1,11 @@
-// The columns of the page, as wide as the layout wants them or the reader has made them.
+// The columns of the page, as wide as the layout wants them or the reader has made them, and the
+// button with which a panel fills it.
 
 import type { ComponentChildren } from "preact";
 
-import { widthsOf, sides } from "../store/places.js";
-import { layoutName, namedLayout } from "./current.js";
+import { placesOf, sides, type WholePanel } from "../store/places.js";
+import { texts } from "../texts/texts.js";
+import { fillPage, layoutName, namedLayout, wholePanel } from "./current.js";
 import { least, Splitter } from "./splitter.js";
 
 interface Columns {
@@ -15,20 +17,25 @@ interface Columns {
 
 export function Frame({ class: kind, left, middle, right }: Columns) {
   const { value: layout } = layoutName;
-  const widths = widthsOf(layout);
+  const places = placesOf(layout);
   return (
     <main
       class={kind}
       data-layout={namedLayout.value}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || event.defaultPrevented || !wholePanel.peek()) return;
+        event.preventDefault();
+        fillPage(undefined);
+      }}
       ref={(element) => {
         for (const side of sides) {
-          const { [side]: part } = widths;
+          const { [side]: part } = places;
           // In a narrower window the columns share what there is beyond that.
           const from = `min(${least[side]}px, 50%)`;
           const track = part === undefined ? "" : `minmax(${from}, ${(100 * part).toFixed(2)}%)`;
           element?.style.setProperty(`--${side}`, track);
         }
-        const isChosen = Object.keys(widths).length > 0;
+        const isChosen = sides.some((side) => places[side] !== undefined);
         element?.style.setProperty("--least", isChosen ? `${least.middle}px` : "");
       }}
     >
@@ -38,5 +45,27 @@ export function Frame({ class: kind, left, middle, right }: Columns) {
       <Splitter key={`right ${layout}`} layout={layout} side="right" />
       <div class="column right">{right}</div>
     </main>
+  );
+}
+
+/** Lets a panel fill the page, or shows the others again. */
+export function WholeButton({ panel, title }: { panel: WholePanel; title: string }) {
+  const { frame: t } = texts.value;
+  const isWhole = wholePanel.value === panel;
+  return (
+    <button
+      type="button"
+      class="quiet whole-button"
+      aria-label={`${t.whole}: ${title}`}
+      aria-pressed={isWhole}
+      title={isWhole ? t.all : t.whole}
+      onClick={() => {
+        fillPage(isWhole ? undefined : panel);
+      }}
+    >
+      <svg viewBox="0 0 16 16" aria-hidden="true">
+        <path d={isWhole ? "M2 6h4V2M14 10h-4v4" : "M2 6V2h4M14 10v4h-4"} />
+      </svg>
+    </button>
   );
 }

@@ -3,7 +3,7 @@
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
-import { resetWidth, type Side, widen } from "../store/places.js";
+import { type Side, widen } from "../store/places.js";
 import { texts } from "../texts/texts.js";
 
 /** Columns stay at least so wide, in pixels: what they show still has room there. */
@@ -98,7 +98,7 @@ export function Splitter({ layout, side }: { layout: string; side: Side }) {
         held.current = undefined;
       }}
       onDblClick={() => {
-        resetWidth(layout, side);
+        widen(layout, side, undefined);
       }}
     />
   );

@@ -1,4 +1,5 @@
-// How wide the reader has made the columns of each layout. It is kept in this browser.
+// How wide the reader has made the columns of each layout, and which panel fills the page. It is kept
+// in this browser.
 // Tested by test/places.test.ts.
 
 import { effect } from "@preact/signals";
@@ -11,32 +12,44 @@ import { slice } from "./slice.js";
 export const sides = ["left", "right"] as const;
 export type Side = (typeof sides)[number];
 
-/** Parts of the page that the columns have; one that is missing is as wide as the layout wants it. */
-export type Widths = Partial<Record<Side, number>>;
+/** What is missing is as the layout wants it. */
+export type Places = KeptPlaces[string];
+/** A panel that can fill the page. */
+export type WholePanel = NonNullable<Places["whole"]>;
 
 const [{ places }, change] = slice<{ places: KeptPlaces }>({ places: {} });
 
-export function widthsOf(layout: string): Widths {
+export function placesOf(layout: string): Places {
   return places.value[layout] ?? {};
 }
 
-export function widen(layout: string, side: Side, part: number): void {
-  change({ places: { ...places.peek(), [layout]: { ...widthsOf(layout), [side]: part } } });
+function put<Name extends keyof Places>(
+  layout: string,
+  name: Name,
+  value: Places[Name] | undefined,
+): void {
+  const others = Object.entries(placesOf(layout)).filter(([each]) => each !== name);
+  const own = value === undefined ? others : [...others, [name, value]];
+  change({ places: { ...places.peek(), [layout]: Object.fromEntries(own) as Places } });
 }
 
-/** The column is as wide as the layout wants it. */
-export function resetWidth(layout: string, side: Side): void {
-  const widths = Object.entries(widthsOf(layout)).filter(([name]) => name !== side);
-  change({ places: { ...places.peek(), [layout]: Object.fromEntries(widths) } });
+/** Gives a column a part of the page; undefined: as wide as the layout wants it. */
+export function widen(layout: string, side: Side, part: number | undefined): void {
+  put(layout, side, part);
 }
 
-/** All columns of the layout are. */
-export function resetWidths(layout: string): void {
+/** Lets a panel fill the page; undefined: all are shown. */
+export function fillWith(layout: string, whole: WholePanel | undefined): void {
+  put(layout, "whole", whole);
+}
+
+/** Everything is where the layout wants it. */
+export function resetPlaces(layout: string): void {
   const others = Object.entries(places.peek()).filter(([name]) => name !== layout);
   change({ places: Object.fromEntries(others) });
 }
 
-/** Takes the widths that were kept, and keeps those that are chosen from now on. */
+/** Takes the places that were kept, and keeps those that are chosen from now on. */
 export function keepPlaces(): void {
   change({ places: salvaged(isKeptPlaces, kept("places")) ?? {} });
   effect(() => {

@@ -27,6 +27,8 @@ export const en = {
     right: "Width of the right column",
     drag: "Drag, or double click for the usual width",
     reset: "Reset layout",
+    whole: "Maximise",
+    all: "Show all panels (Esc)",
   },
 
   controls: {

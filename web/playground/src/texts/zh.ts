@@ -28,6 +28,8 @@ export const zh: Texts = {
     right: "右栏的宽度",
     drag: "可拖动；双击恢复通常的宽度",
     reset: "重置布局",
+    whole: "最大化",
+    all: "显示所有面板（Esc）",
   },
 
   controls: {
