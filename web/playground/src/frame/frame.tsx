@@ -3,10 +3,13 @@
 
 import type { ComponentChildren } from "preact";
 
-import { placesOf, sides, type WholePanel } from "../store/places.js";
+import { placesOf, type Side, sides, widen, type WholePanel } from "../store/places.js";
 import { texts } from "../texts/texts.js";
 import { fillPage, layoutName, namedLayout, wholePanel } from "./current.js";
-import { least, Splitter } from "./splitter.js";
+import { type Measured, Splitter } from "./splitter.js";
+
+/** Columns stay at least so wide, in pixels: what they show still has room there. */
+const least = { left: 240, middle: 240, right: 400 };
 
 interface Columns {
   class: string;
@@ -40,12 +43,38 @@ export function Frame({ class: kind, left, middle, right }: Columns) {
       }}
     >
       <div class="column left">{left}</div>
-      <Splitter key={`left ${layout}`} layout={layout} side="left" />
+      <ColumnSplitter key={`left ${layout}`} layout={layout} side="left" />
       <div class="column middle">{middle}</div>
-      <Splitter key={`right ${layout}`} layout={layout} side="right" />
+      <ColumnSplitter key={`right ${layout}`} layout={layout} side="right" />
       <div class="column right">{right}</div>
     </main>
   );
+}
+
+function ColumnSplitter({ layout, side }: { layout: string; side: Side }) {
+  return (
+    <Splitter
+      class={side}
+      label={texts.value.frame[side]}
+      axis="x"
+      isOfNext={side === "right"}
+      measure={(splitter) => widthOf(splitter.parentElement, side)}
+      onPut={(part) => {
+        widen(layout, side, part);
+      }}
+    />
+  );
+}
+
+function widthOf(page: HTMLElement | null, side: Side): Measured | undefined {
+  const of = (name: string) =>
+    page?.querySelector(`.column.${name}`)?.getBoundingClientRect().width ?? 0;
+  const own = of(side);
+  if (!page || own === 0) return undefined;
+  const { paddingLeft, paddingRight } = getComputedStyle(page);
+  const whole = page.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
+  const most = Math.max(own, own + of("middle") - least.middle);
+  return { own, least: least[side], most, whole };
 }
 
 /** Lets a panel fill the page, or shows the others again. */

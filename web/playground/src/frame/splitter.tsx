@@ -1,104 +1,102 @@
-// The border of a column, which the pointer drags and the arrow keys move.
+// A border that the pointer drags and the arrow keys move: of a column or of a panel.
 
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
-import { type Side, widen } from "../store/places.js";
 import { texts } from "../texts/texts.js";
 
-/** Columns stay at least so wide, in pixels: what they show still has room there. */
-export const least = { left: 240, middle: 240, right: 400 };
-/** So far an arrow key moves the border. */
+/** So far an arrow key moves a border. */
 const step = 16;
 
-interface Measured {
-  /** The width of the column, and how wide it can be. */
+/** What a border makes wider or higher, in pixels. */
+export interface Measured {
   own: number;
+  least: number;
   most: number;
-  /** That of all columns. */
+  /** Of what the border gives a part. */
   whole: number;
 }
 
-function measure(splitter: HTMLElement | null, side: Side): Measured | undefined {
-  const page = splitter?.parentElement;
-  const widthOf = (name: string) =>
-    page?.querySelector(`.column.${name}`)?.getBoundingClientRect().width ?? 0;
-  const own = widthOf(side);
-  const beside = widthOf("middle");
-  if (!page || own === 0) return undefined;
-  const { paddingLeft, paddingRight } = getComputedStyle(page);
-  const whole = page.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
-  return { own, most: Math.max(own, own + beside - least.middle), whole };
+interface Splitting {
+  class: string;
+  label: string;
+  /** Between parts that lie beside each other, or below each other. */
+  axis: "x" | "y";
+  /** What lies after the border grows when it moves back. */
+  isOfNext?: boolean;
+  measure: (splitter: HTMLElement) => Measured | undefined;
+  /** Gives what the border is of a part of the whole; undefined: as much as usual. */
+  onPut: (part: number | undefined) => void;
 }
 
-export function Splitter({ layout, side }: { layout: string; side: Side }) {
+export function Splitter({ class: kind, label, axis, isOfNext, measure, onPut }: Splitting) {
   const { frame: t } = texts.value;
   const element = useRef<HTMLDivElement>(null);
   const [measured, setMeasured] = useState<Measured>();
-  const held = useRef<{ x: number; own: number }>();
-  // To the right, the left column grows and the right one shrinks.
-  const sign = side === "left" ? 1 : -1;
+  const held = useRef<{ at: number; own: number }>();
+  const sign = isOfNext ? -1 : 1;
+  const now = () => (element.current ? measure(element.current) : undefined);
 
   useLayoutEffect(() => {
     const watch = new ResizeObserver(() => {
-      setMeasured(measure(element.current, side));
+      setMeasured(now());
     });
-    const page = element.current?.parentElement;
-    for (const column of page?.querySelectorAll(".column") ?? []) watch.observe(column);
+    for (const part of element.current?.parentElement?.children ?? []) watch.observe(part);
     return () => {
       watch.disconnect();
     };
   }, []);
 
   const put = (wished: number) => {
-    const now = measure(element.current, side);
-    if (!now) return;
-    widen(layout, side, Math.min(now.most, Math.max(least[side], wished)) / now.whole);
+    const found = now();
+    if (!found) return;
+    onPut(Math.min(found.most, Math.max(found.least, wished)) / found.whole);
   };
-  const drag = (event: TargetedPointerEvent<HTMLDivElement>) => {
-    const { current: from } = held;
-    if (from) put(from.own + sign * (event.clientX - from.x));
-  };
+  const placeOf = (event: TargetedPointerEvent<HTMLDivElement>) =>
+    axis === "x" ? event.clientX : event.clientY;
   const walk = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
-    const now = measure(element.current, side);
-    if (!now) return;
+    const found = now();
+    if (!found) return;
     const wishes: Record<string, number> = {
-      ArrowLeft: now.own - sign * step,
-      ArrowRight: now.own + sign * step,
-      Home: least[side],
-      End: now.most,
+      [axis === "x" ? "ArrowLeft" : "ArrowUp"]: found.own - sign * step,
+      [axis === "x" ? "ArrowRight" : "ArrowDown"]: found.own + sign * step,
+      Home: found.least,
+      End: found.most,
     };
     const wished = wishes[event.key];
     if (wished === undefined) return;
     event.preventDefault();
     put(wished);
   };
-  const percent = (width: number) => Math.round((100 * width) / (measured?.whole ?? 1));
+  const percent = (size = 0) => Math.round((100 * size) / (measured?.whole ?? 1));
   return (
     <div
       ref={element}
-      class={`splitter ${side}`}
+      class={`splitter ${kind}`}
       role="separator"
       tabIndex={0}
-      aria-orientation="vertical"
-      aria-label={t[side]}
-      aria-valuenow={percent(measured?.own ?? 0)}
-      aria-valuemin={percent(measured ? least[side] : 0)}
-      aria-valuemax={percent(measured?.most ?? 0)}
+      aria-orientation={axis === "x" ? "vertical" : "horizontal"}
+      aria-label={label}
+      aria-valuenow={percent(measured?.own)}
+      aria-valuemin={percent(measured?.least)}
+      aria-valuemax={percent(measured?.most)}
       title={t.drag}
       onKeyDown={walk}
       onPointerDown={(event) => {
-        const now = measure(element.current, side);
-        if (!now) return;
+        const found = now();
+        if (!found) return;
         event.currentTarget.setPointerCapture(event.pointerId);
-        held.current = { x: event.clientX, own: now.own };
+        held.current = { at: placeOf(event), own: found.own };
       }}
-      onPointerMove={drag}
+      onPointerMove={(event) => {
+        const { current: from } = held;
+        if (from) put(from.own + sign * (placeOf(event) - from.at));
+      }}
       onLostPointerCapture={() => {
         held.current = undefined;
       }}
       onDblClick={() => {
-        widen(layout, side, undefined);
+        onPut(undefined);
       }}
     />
   );
