@@ -98,6 +98,50 @@ test("the arrow keys move a border, and say how wide its column is", async ({ pa
   await expect.poll(async () => (await boxOf(page, "machine")).width).toBeCloseTo(width, 0);
 });
 
+test("the borders of panels are dragged and moved by keys, and stay for their layout", async ({
+  page,
+}) => {
+  await open(page, "#lesson=first-axis");
+  const border = page.getByRole("separator", { name: "Height of: Machine" });
+  const before = await boxOf(page, "machine");
+  const handle = await border.boundingBox();
+  const [x, y] = [(handle?.x ?? 0) + 200, (handle?.y ?? 0) + 12];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 120, { steps: 4 });
+  await page.mouse.up();
+  expect((await boxOf(page, "machine")).height).toBeCloseTo(before.height - 120, 0);
+  await border.press("ArrowDown");
+  await expect
+    .poll(async () => (await boxOf(page, "machine")).height)
+    .toBeCloseTo(before.height - 104, 0);
+  await page.reload();
+  await expect(page.locator("#program")).toBeVisible();
+  const { height, bottom } = await boxOf(page, "machine");
+  expect(height).toBeCloseTo(before.height - 104, 0);
+  expect((await boxOf(page, "scope")).y).toBeCloseTo(bottom + 8, 0);
+  await expectAccessible(page);
+  await border.press("Home");
+  await expect.poll(async () => (await boxOf(page, "machine")).height).toBeCloseTo(40, 0);
+  await expect(page.getByRole("button", { name: "Maximise: Machine" })).toBeInViewport();
+  await border.dblclick();
+  await expect.poll(async () => (await boxOf(page, "machine")).height).toBe(before.height);
+});
+
+test("the last panel of a column has what the others leave", async ({ page }) => {
+  await open(page, "#lesson=first-axis");
+  const border = page.getByRole("separator", { name: "Height of: Program" });
+  await border.press("Home");
+  await expect.poll(async () => (await boxOf(page, "program")).height).toBeCloseTo(40, 0);
+  const values = await boxOf(page, "values");
+  expect(values.y).toBeCloseTo((await boxOf(page, "program")).bottom + 8, 0);
+  expect(values.bottom).toBeCloseTo(892, 0);
+  await border.press("End");
+  await expect.poll(async () => (await boxOf(page, "values")).height).toBeCloseTo(96, 0);
+  await fromMenu(page, "Reset layout");
+  await expect.poll(async () => (await boxOf(page, "values")).height).toBeGreaterThan(200);
+});
+
 test("columns that were made wide on a large screen fit on a smaller one", async ({ page }) => {
   await open(page, "#lesson=first-axis");
   await page.getByRole("separator", { name: "Width of the right column" }).press("End");

@@ -409,6 +409,18 @@ test("two tabs keep both texts, and say so", async ({ page, context }) => {
   }
 });
 
+test("an edit can be undone after an exploration has brought another layout", async ({ page }) => {
+  await open(page, "#lesson=lost-update");
+  await editor(page).click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("int extra;");
+  await page.getByRole("button", { name: "Explore", exact: true }).click();
+  await expect(page.locator("#interleaving")).toBeVisible();
+  await editor(page).click();
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => text(page)).not.toContain("extra");
+});
+
 test("an edit can be undone", async ({ page }) => {
   await open(page);
   const before = await text(page);

@@ -3,7 +3,8 @@
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
-import { fillPage, namedLayout, wholePanel } from "./frame/current.js";
+import { Column } from "./frame/column.js";
+import { fillPage, layoutName, namedLayout, wholePanel } from "./frame/current.js";
 import { Frame, WholeButton } from "./frame/frame.js";
 import { failingRun } from "./interleaving/failing_run.js";
 import { InterleavingPanel } from "./interleaving/panel.js";
@@ -20,6 +21,7 @@ import { forgetLink, openedLink } from "./share/opened_link.js";
 import { arrangementFor } from "./store/arrangement.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
+import { placesOf } from "./store/places.js";
 import { settings } from "./store/settings.js";
 import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
@@ -58,12 +60,22 @@ function ContentOf({ name }: { name: Panel }) {
 
 function Box({ name }: { name: Panel }) {
   const title = titleOf(name);
+  const height = placesOf(layoutName.value).heights?.[name];
   const isOutdated = showsCard(name) && isEdited.value && present.state.value !== undefined;
   return (
     <section
-      class={`panel ${frontPanel() === name ? "front" : ""} ${isOutdated ? "outdated" : ""} ${
-        wholePanel.value === name ? "whole" : ""
-      }`}
+      class={[
+        "panel",
+        frontPanel() === name && "front",
+        isOutdated && "outdated",
+        wholePanel.value === name && "whole",
+        height !== undefined && "high",
+      ]
+        .filter(Boolean)
+        .join(" ")}
+      ref={(element) => {
+        element?.style.setProperty("--height", `${(100 * (height ?? 0)).toFixed(2)}%`);
+      }}
       aria-labelledby={`panel-${name}`}
       id={name}
     >
@@ -74,6 +86,10 @@ function Box({ name }: { name: Panel }) {
       <ContentOf name={name} />
     </section>
   );
+}
+
+function boxOf(name: Panel) {
+  return <Box name={name} />;
 }
 
 /** Without a failing run it has no panel; what it came from says why. */
@@ -122,12 +138,8 @@ export function App() {
       <Frame
         class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}
         left={<Box name="lesson" />}
-        middle={middle.map((name) => (
-          <Box key={name} name={name} />
-        ))}
-        right={right.map((name) => (
-          <Box key={name} name={name} />
-        ))}
+        middle={<Column panels={middle} titleOf={titleOf} boxOf={boxOf} />}
+        right={<Column panels={right} titleOf={titleOf} boxOf={boxOf} />}
       />
     </>
   );

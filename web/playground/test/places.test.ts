@@ -1,6 +1,13 @@
 import { afterEach, expect, test, vi } from "vitest";
 
-import { fillWith, keepPlaces, placesOf, resetPlaces, widen } from "../src/store/places.js";
+import {
+  fillWith,
+  heighten,
+  keepPlaces,
+  placesOf,
+  resetPlaces,
+  widen,
+} from "../src/store/places.js";
 import { stubStorage } from "./storage.js";
 
 afterEach(() => {
@@ -49,4 +56,19 @@ test("a panel of each layout may fill the page, until it is left", () => {
   expect(JSON.parse(storage.get("oncard.places") ?? "")).toEqual({
     ...{ threads: { left: 0.2 }, motion: {} },
   });
+});
+
+test("a panel is as high as the reader makes it, in each layout", () => {
+  const storage = stubStorage({ places: { threads: { heights: { machine: 0.3, scope: 2 } } } });
+  keepPlaces();
+  expect(placesOf("threads")).toEqual({ heights: { machine: 0.3 } });
+  heighten("threads", "timeline", 0.2);
+  expect(placesOf("threads")).toEqual({ heights: { machine: 0.3, timeline: 0.2 } });
+  heighten("threads", "machine", undefined);
+  heighten("motion", "scope", 0.5);
+  expect(JSON.parse(storage.get("oncard.places") ?? "")).toEqual({
+    ...{ threads: { heights: { timeline: 0.2 } }, motion: { heights: { scope: 0.5 } } },
+  });
+  heighten("motion", "scope", undefined);
+  expect(placesOf("motion")).toEqual({});
 });

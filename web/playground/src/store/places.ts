@@ -1,11 +1,12 @@
-// How wide the reader has made the columns of each layout, and which panel fills the page. It is kept
-// in this browser.
+// How wide the reader has made the columns of each layout, how high its panels, and which of them
+// fills the page. It is kept in this browser.
 // Tested by test/places.test.ts.
 
 import { effect } from "@preact/signals";
 
 import { keep, kept } from "./keep.js";
 import { isKeptPlaces, type KeptPlaces } from "./kept_schema.js";
+import type { Panel } from "./layout.js";
 import { salvaged } from "./salvaged.js";
 import { slice } from "./slice.js";
 
@@ -36,6 +37,13 @@ function put<Name extends keyof Places>(
 /** Gives a column a part of the page; undefined: as wide as the layout wants it. */
 export function widen(layout: string, side: Side, part: number | undefined): void {
   put(layout, side, part);
+}
+
+/** Gives a panel a part of its column; undefined: as high as the layout wants it. */
+export function heighten(layout: string, panel: Panel, part: number | undefined): void {
+  const others = Object.entries(placesOf(layout).heights ?? {}).filter(([name]) => name !== panel);
+  const heights: [string, number][] = part === undefined ? others : [...others, [panel, part]];
+  put(layout, "heights", heights.length > 0 ? Object.fromEntries(heights) : undefined);
 }
 
 /** Lets a panel fill the page; undefined: all are shown. */

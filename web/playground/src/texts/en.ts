@@ -25,7 +25,8 @@ export const en = {
   frame: {
     left: "Width of the left column",
     right: "Width of the right column",
-    drag: "Drag, or double click for the usual width",
+    height: (panel: string) => `Height of: ${panel}`,
+    drag: "Drag, or double click for the usual place",
     reset: "Reset layout",
     whole: "Maximise",
     all: "Show all panels (Esc)",

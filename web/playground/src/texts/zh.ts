@@ -26,7 +26,8 @@ export const zh: Texts = {
   frame: {
     left: "左栏的宽度",
     right: "右栏的宽度",
-    drag: "可拖动；双击恢复通常的宽度",
+    height: (panel) => `“${panel}”的高度`,
+    drag: "可拖动；双击恢复通常的位置",
     reset: "重置布局",
     whole: "最大化",
     all: "显示所有面板（Esc）",
