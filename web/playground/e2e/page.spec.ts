@@ -6,6 +6,7 @@ import { expect, test } from "@playwright/test";
 
 import {
   atMaximum,
+  atSpeed,
   editor,
   expectAccessible,
   fromMenu,
@@ -343,6 +344,31 @@ test("the number of warnings leads to their list on a phone", async ({ page }) =
   await expect(page.locator(".cm-linked")).toHaveText("  GT_Update(1);");
 });
 
+test("the speed is a slider, which stops at its marks, or a list where the bar is short", async ({
+  page,
+}) => {
+  await open(page);
+  const slider = page.getByRole("slider", { name: "Speed" });
+  await expect(slider).toHaveAttribute("aria-valuetext", "1×");
+  await slider.press("ArrowRight");
+  await expect(slider).toHaveAttribute("aria-valuetext", "1.3×");
+  await slider.press("End");
+  await expect(slider).toHaveAttribute("aria-valuetext", "max");
+  await slider.press("Home");
+  await expect(slider).toHaveAttribute("aria-valuetext", "0.01×");
+  await atSpeed(page, 10 ** 0.5);
+  await page.setViewportSize({ width: 1024, height: 768 });
+  const list = page.getByRole("combobox", { name: "Speed" });
+  await expect(list.getByRole("option")).toHaveText(["0.1×", "1×", "3.2×", "10×", "max"]);
+  await list.selectOption("10");
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await expect(slider).toHaveAttribute("aria-valuetext", "10×");
+  // The mark for 1 is near.
+  const box = await slider.boundingBox();
+  await page.mouse.click((box?.x ?? 0) + 8 + (76 * 20) / 51 + 2, (box?.y ?? 0) + 16);
+  await expect(slider).toHaveAttribute("aria-valuetext", "1×");
+});
+
 test("everything can be done with keys", async ({ page }) => {
   await open(page);
   const moment = page.getByText(/moment \d+ of \d+/);
@@ -356,7 +382,10 @@ test("everything can be done with keys", async ({ page }) => {
   await page.keyboard.press("F4");
   await expect(moment).toHaveText(/moment 0 of/);
   await page.keyboard.press("Control+.");
-  await expect(page.getByLabel("Speed")).toHaveValue("10");
+  await expect(page.getByRole("slider", { name: "Speed" })).toHaveAttribute(
+    "aria-valuetext",
+    "10×",
+  );
   await page.keyboard.press("Control+Enter");
   await expect(status(page)).toContainText("Finished, but");
   // The skip link leads to the program; Escape leaves the editor.

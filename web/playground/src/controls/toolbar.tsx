@@ -13,18 +13,12 @@ import { openRecord, record } from "../session/record.js";
 import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
 import { placesOf, resetPlaces } from "../store/places.js";
-import {
-  chooseLanguage,
-  chooseSpeed,
-  chooseTheme,
-  settings,
-  speeds,
-  themes,
-} from "../store/settings.js";
+import { chooseLanguage, chooseTheme, settings, themes } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
 import { type Action, actions, ariaKeys, keyText } from "./actions.js";
 import { Clock } from "./clock.js";
 import { Menu } from "./menu.js";
+import { Speed } from "./speed.js";
 
 /** Drawings of 16 × 16. */
 const icons = {
@@ -66,7 +60,7 @@ function Tool({
 export function Toolbar() {
   const { controls: t } = texts.value;
   const [shown, setShown] = useState<"keys" | "samples" | "share" | "teach" | undefined>(undefined);
-  const { language, speed, theme } = settings;
+  const { language, theme } = settings;
   // What was edited meanwhile is not what runs: Run loads it.
   const isRunning = session.notice.value.kind === "running" && !isEdited.value;
   const input = useRef<HTMLInputElement>(null);
@@ -88,22 +82,7 @@ export function Toolbar() {
           <Tool action="step" />
           <Tool action="cycle" />
         </div>
-        <label class="knob">
-          <span class="visually-hidden">{t.speed}</span>
-          <select
-            title={t.speed}
-            value={String(speed.value)}
-            onChange={({ currentTarget }) => {
-              chooseSpeed(Number(currentTarget.value));
-            }}
-          >
-            {speeds.map((each) => (
-              <option key={each} value={String(each)}>
-                {each === Infinity ? t.max : `${each}×`}
-              </option>
-            ))}
-          </select>
-        </label>
+        <Speed />
         <Clock />
         <button
           type="button"

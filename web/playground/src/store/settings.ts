@@ -14,8 +14,11 @@ export const units = ["ms", "moments"] as const;
 export type Unit = (typeof units)[number];
 export const themes = ["system", "light", "dark"] as const;
 export type Theme = (typeof themes)[number];
-/** The last one: as fast as it gets. */
+/** Those that have a mark of their own, and to which keys lead. The last one: as fast as it gets. */
 export const speeds = [0.1, 1, 10, Infinity];
+/** Places of the slider, in tenths of a decade; beyond the last speed it is as fast as it gets. */
+export const slowest = -20;
+export const fastest = 31;
 
 interface Settings {
   language: Language;
@@ -50,17 +53,29 @@ export function chooseUnit(unit: Unit): void {
   change({ unit });
 }
 
-/** Faster or slower by so many steps, as far as there are any. */
-export function changeSpeed(by: number): void {
+/** What the slider shows is rounded to two figures. */
+export function speedAt(place: number): number {
+  return place >= fastest ? Infinity : Number((10 ** (place / 10)).toPrecision(2));
+}
+
+export function placeOfSpeed(speed: number): number {
+  return speed === Infinity ? fastest : Math.round(10 * Math.log10(speed));
+}
+
+/** To the next faster or slower speed that has a mark, if there is one. */
+export function changeSpeed(by: 1 | -1): void {
   const now = settings.speed.peek();
-  change({ speed: speeds[speeds.indexOf(now) + by] ?? now });
+  const next =
+    by > 0 ? speeds.find((each) => each > now) : speeds.filter((each) => each < now).at(-1);
+  change({ speed: next ?? now });
 }
 
 // --- Keeping -------------------------------------------------------------------------------------
 
 /** JSON knows no Infinity, so that is kept as 0. */
-function speedOf(stored: number | undefined): number {
-  return stored === 0 ? Infinity : (speeds.find((each) => each === stored) ?? 1);
+function speedOf(stored = 1): number {
+  if (stored === 0) return Infinity;
+  return stored >= speedAt(slowest) && stored <= speedAt(fastest - 1) ? stored : 1;
 }
 
 /**
