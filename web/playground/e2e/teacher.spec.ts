@@ -20,7 +20,7 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   await dialog.getByLabel("Title").fill("Three");
   await dialog
     .getByLabel("Text, in Markdown")
-    .fill("Let `x` become **3**, not 1&frac12; or &nonsense;.");
+    .fill("Let `x` become **3**, not 1&frac12; or &nonsense; [Words](https://bücher.example/ü).");
   await dialog.getByRole("button", { name: "Add a hint" }).click();
   await dialog.getByLabel("Hint 1 of 1").fill("Write `x = 3;`.");
   await expectAccessible(page);
@@ -31,7 +31,11 @@ test("a lesson is written, and a student solves it", async ({ page, browser }) =
   await student.goto(address);
   const lesson = student.getByRole("group", { name: "Three" });
   await expect(lesson.locator("strong")).toHaveText("3");
-  await expect(lesson).toContainText("not 1½ or &nonsense;.");
+  await expect(lesson).toContainText("not 1½ or &nonsense;");
+  await expect(lesson.getByRole("link", { name: "Words" })).toHaveAttribute(
+    "href",
+    "https://xn--bcher-kva.example/%C3%BC",
+  );
   await lesson.getByRole("button", { name: "Show a hint" }).click();
   await expect(lesson).toContainText("Write x = 3;.");
   await expect(editor(student)).toContainText("x = 4;");

@@ -70,6 +70,7 @@ export async function bundle(folder, modules) {
     alias: {
       entities: "./src/lesson/entities.ts",
       "linkify-it": "./src/lesson/linkify.ts",
+      "punycode.js": "./src/lesson/punycode.ts",
     },
     metafile: true,
     legalComments: "none",
