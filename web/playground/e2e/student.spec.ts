@@ -38,7 +38,8 @@ test("a wrong program is mended, runs, is measured and stepped back", async ({ p
   await page.getByLabel("Cursor A, ms").fill("500");
   await page.getByLabel("Cursor B, ms").fill("1400");
   const readings = page.locator('tr[data-channel="axis1.prfVel"] td');
-  await expect(readings).toHaveText(["50", "0", "-50"]);
+  await expect(readings).toHaveText(["50", "0", "-50", "-0.056"]);
+  await expect(page.getByText("Δ 900 ms, 1.111 Hz")).toBeVisible();
 
   const moment = page.getByText(/moment \d+ of \d+/);
   const end = await moment.textContent();

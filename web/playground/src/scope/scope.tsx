@@ -159,6 +159,10 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
                 })}
                 <th scope="col" class="number">
                   {t.difference} {number(b - a)} ms
+                  {b !== a && `, ${number(1000 / Math.abs(b - a))} Hz`}
+                </th>
+                <th scope="col" class="number">
+                  {t.slope}
                 </th>
               </tr>
             </thead>
@@ -173,6 +177,7 @@ function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => v
                     <td class="number">{atA === undefined ? "" : number(atA)}</td>
                     <td class="number">{atB === undefined ? "" : number(atB)}</td>
                     <td class="number">{both ? number(atB - atA) : ""}</td>
+                    <td class="number">{both && b !== a ? number((atB - atA) / (b - a)) : ""}</td>
                   </tr>
                 );
               })}

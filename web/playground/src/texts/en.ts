@@ -241,6 +241,7 @@ export const en = {
     pngLabel: "Save the picture as PNG",
     none: "No channel is shown. Add one below.",
     difference: "Δ",
+    slope: "per ms",
   },
 
   values: {

@@ -236,6 +236,7 @@ export const zh: Texts = {
     pngLabel: "把图像存为 PNG",
     none: "没有显示的通道，请在下面添加。",
     difference: "Δ",
+    slope: "每 ms",
   },
 
   values: {
