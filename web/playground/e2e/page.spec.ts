@@ -432,7 +432,7 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   const column = head.split(",").indexOf("axis1.prfVel [mm/s] max");
   expect(Math.max(...rows.map((row) => Number(row.split(",")[column])))).toBe(50);
   // A line of 18 pixels for the title and each channel, and half of one; the height is at byte 20.
-  const lines = 1 + (await page.locator(".channels .dot").count());
+  const lines = 1 + (await page.locator(".channels .channel").count());
   const screen = await page.locator(".screen canvas").evaluate((canvas) => canvas.clientHeight);
   expect((await saved("PNG")).readUInt32BE(20)).toBe(screen + lines * 18 + 9);
 });

@@ -119,7 +119,7 @@ for (const viewport of widths) {
           await page.getByLabel(t.cursorB).fill("1300");
           // 200 ms up to 50 pulse/ms, 800 ms there, 200 ms down.
           const readings = page.locator('tr[data-channel="axis1.prfVel"] td');
-          await expect(readings).toHaveText(["50", "0", "-50"]);
+          await expect(readings).toHaveText(["50", "0", "-50", "-0.071"]);
           await expectFits(page);
         });
 

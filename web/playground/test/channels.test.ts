@@ -9,6 +9,8 @@ import {
   readingAt,
   unitsOf,
   unitsPerDivision,
+  valueNow,
+  valuesAtDivisions,
 } from "../src/scope/channels.js";
 
 const velocity = { name: "v", least: [0, 10, -3, 40], largest: [0, 20, 50, 40] };
@@ -84,4 +86,32 @@ test("channels are the values of the card and the variables", () => {
     { name: "x", path: "page0.x", type: "int", slot: 0, value: 1 },
   ];
   expect(channelNames(card, variables)).toEqual(["a[0]", "a[1]", "page0.x", "axis1.prfVel"]);
+});
+
+test.each([
+  ["x", 7],
+  ["a[1]", 5],
+  ["page0.a[0]", 2],
+  ["axis1.prfPos", 12.5],
+  ["a", undefined],
+  ["a[9]", undefined],
+  ["gone", undefined],
+])("the present value of %s", (name, value) => {
+  const variable = { type: "int", slot: 0 };
+  const variables = [
+    { ...variable, name: "x", path: "x", value: 7 },
+    { ...variable, name: "a", path: "a", value: [4, 5] },
+    { ...variable, name: "a", path: "page0.a", value: [2] },
+  ];
+  const prfPos = { name: "prfPos", path: "axis1.prfPos", value: 12.5 };
+  const card = { parts: [{ part: "axis", number: 1, values: [prfPos] }], words: [], switches: [] };
+  expect(valueNow(card, variables, name)).toBe(value);
+});
+
+test("every second division has its value", () => {
+  const at = (offset: number) => valuesAtDivisions(sweep, { name: "v", offset, perDivision: 20 });
+  expect(at(0)).toEqual(["-80", "", "-40", "", "0", "", "40", "", "80"]);
+  expect(at(-2)).toEqual(["-40", "", "0", "", "40", "", "80", "", "120"]);
+  expect(valuesAtDivisions(sweep, undefined).join("")).toBe("");
+  expect(valuesAtDivisions(sweep, { name: "gone", offset: 0 }).join("")).toBe("");
 });

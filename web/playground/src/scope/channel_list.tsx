@@ -1,12 +1,17 @@
-// The channels that are shown, each with its scale and its offset, and a field to add one.
+// The channels that are shown: a card for each with its present value and its scale, the knobs of the
+// one that is chosen, and a field to add one.
 
 import { useState } from "preact/hooks";
 
 import { present } from "../session/bench.js";
 import { number, texts } from "../texts/texts.js";
-import { channelNames, type Setting, unitsOf, unitsPerDivision } from "./channels.js";
-import { addChannel, removeChannel, scope, setChannel } from "./settings.js";
+import { channelNames, type Setting, unitsOf, unitsPerDivision, valueNow } from "./channels.js";
+import { addChannel, chooseChannel, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";
+
+function variables() {
+  return [...present.globals.value, ...[...present.locals.value.values()].flat()];
+}
 
 export function ChannelList({ sweep }: { sweep: Sweep }) {
   const { scope: t } = texts.value;
@@ -24,11 +29,33 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
   const { setting, index, sweep } = props;
   const { scope: t } = texts.value;
   const values = sweep.channels.find(({ name }) => name === setting.name);
-  const shown = values ? number(unitsPerDivision(setting, values), 6) : "";
+  const scale = values ? number(unitsPerDivision(setting, values), 6) : "";
+  const now = values && valueNow(present.card.value, variables(), setting.name);
+  const isChosen = scope.chosen.value === setting.name;
   return (
-    <div class="channel" role="group" aria-label={setting.name}>
-      <span class={`dot c${index % 8}`} aria-hidden="true" />
-      <span class="channel-name">{setting.name}</span>
+    <div class={`channel of${index % 8}`} role="group" aria-label={setting.name}>
+      <button
+        type="button"
+        class="quiet channel-head"
+        aria-pressed={isChosen}
+        onClick={() => {
+          chooseChannel(setting.name);
+        }}
+      >
+        <span class="channel-name">{setting.name}</span>
+        <strong>{now === undefined ? "" : number(now)}</strong>
+        <span class="small muted">{scale === "" ? "" : t.scaleOf(scale)}</span>
+        <span class="unit small muted">{unitsOf(present.card.value).get(setting.name)}</span>
+      </button>
+      {isChosen && <Knobs setting={setting} scale={scale} />}
+    </div>
+  );
+}
+
+function Knobs({ setting, scale }: { setting: Setting; scale: string }) {
+  const { scope: t } = texts.value;
+  return (
+    <div class="channel-knobs">
       <label class="small muted">
         {t.scale}{" "}
         <input
@@ -36,30 +63,13 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
           min="0"
           step="any"
           class="narrow"
-          placeholder={shown}
+          placeholder={scale}
           aria-label={t.perDivision(setting.name)}
           value={setting.perDivision ?? ""}
           onChange={({ currentTarget }) => {
             const units = currentTarget.valueAsNumber;
             const { name, offset } = setting;
             setChannel(units > 0 ? { name, offset, perDivision: units } : { name, offset });
-          }}
-        />{" "}
-        <span class="unit">{unitsOf(present.card.value).get(setting.name)}</span>
-      </label>
-      <label class="small muted">
-        {t.position}{" "}
-        <input
-          type="number"
-          step="0.5"
-          min="-4"
-          max="4"
-          class="narrow"
-          aria-label={t.offset(setting.name)}
-          value={setting.offset}
-          onInput={({ currentTarget }) => {
-            const offset = currentTarget.valueAsNumber;
-            if (Number.isFinite(offset)) setChannel({ ...setting, offset });
           }}
         />
       </label>
@@ -79,11 +89,10 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
 
 function AddChannel({ label }: { label: string }) {
   const [text, setText] = useState("");
-  const locals = [...present.locals.value.values()].flat();
-  const names = channelNames(present.card.value, [...present.globals.value, ...locals]);
+  const names = channelNames(present.card.value, variables());
   const free = names.filter((name) => !scope.channels.value.some((each) => each.name === name));
   return (
-    <div class="channel">
+    <div class="channel-field">
       <input
         type="text"
         list="channel-names"

@@ -29,6 +29,19 @@ export function channelNames(card: Card | undefined, variables: Variable[]): str
   ];
 }
 
+/** The present value of a channel. */
+export function valueNow(
+  card: Card | undefined,
+  variables: Variable[],
+  name: string,
+): number | undefined {
+  const values = [...variables, ...(card?.parts ?? []).flatMap((part) => part.values)];
+  const valueOf = (wanted: string) => values.find(({ path }) => path === wanted)?.value;
+  const element = /^(.*)\[(\d+)\]$/.exec(name);
+  const value = valueOf(element?.[1] ?? name);
+  return typeof value === "object" ? value[Number(element?.[2])] : value;
+}
+
 /** In what the values of the card are measured, by the names of their channels. */
 export type Units = ReadonlyMap<string, string>;
 
@@ -62,6 +75,15 @@ export function unitsPerDivision(setting: Setting, channel: Channel): number {
 /** Where a value is drawn, in divisions from the middle. */
 export function inDivisions(value: number, perDivision: number, offset: number): number {
   return value / perDivision + offset;
+}
+
+/** The values of a channel at every second division, from below; the others stay empty for room. */
+export function valuesAtDivisions(sweep: Sweep, setting: Setting | undefined): string[] {
+  const channel = sweep.channels.find(({ name }) => name === setting?.name);
+  return Array.from({ length: 2 * divisions + 1 }, (_, index) => {
+    if (!setting || !channel || index % 2 !== 0) return "";
+    return number((index - divisions - setting.offset) * unitsPerDivision(setting, channel));
+  });
 }
 
 /** What the picture says of each channel: its name and how much a division is. */

@@ -3,7 +3,13 @@
 
 import uPlot from "uplot";
 
-import { divisions, inDivisions, type Setting, unitsPerDivision } from "./channels.js";
+import {
+  divisions,
+  inDivisions,
+  type Setting,
+  unitsPerDivision,
+  valuesAtDivisions,
+} from "./channels.js";
 import type { Sweep } from "./trigger.js";
 
 /** Colours by the place of a channel; those of the page's style. */
@@ -40,21 +46,31 @@ export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
   return [times, ...lines];
 }
 
+/** Between the edges of the screen and its divisions, in pixels; the times are below. */
+export const screenPadding = { top: 6, right: 24, bottom: 24 };
+
 /** Cursors and the trigger, drawn over the lines; times in ms. */
 export interface Marks {
   cursors: number[];
   trigger?: number | undefined;
+  /** The place of the channel whose values stand at the divisions. */
+  scaleOf: number;
 }
 
 export class Plot {
   #plot: uPlot | undefined;
   #shape = "";
-  #marks: Marks = { cursors: [] };
+  #marks: Marks = { cursors: [], scaleOf: -1 };
+  /** What stands at the divisions, from below. */
+  #values: string[] = [];
 
   constructor(private readonly host: HTMLElement) {}
 
   draw(sweep: Sweep, settings: Setting[], marks: Marks, look: string): void {
+    const moved = this.#marks.scaleOf !== marks.scaleOf;
     this.#marks = marks;
+    const before = this.#values;
+    this.#values = valuesAtDivisions(sweep, settings[marks.scaleOf]);
     const { clientWidth, clientHeight } = this.host;
     const shape = `${settings.map(({ name }) => name).join(" ")} ${look}`;
     const data = envelope(sweep, settings);
@@ -67,6 +83,7 @@ export class Plot {
       this.#plot.setData(data, false);
     }
     this.#plot.setScale("x", { min: sweep.fromMs, max: sweep.toMs });
+    if (moved || before.join() !== this.#values.join()) this.#plot.redraw(false, true);
   }
 
   #options(settings: Setting[], width: number, height: number): uPlot.Options {
@@ -81,14 +98,19 @@ export class Plot {
       height,
       legend: { show: false },
       cursor: { show: false },
-      padding: [6, 24, 0, 16], // room for the halves of the first and the last time
+      // At the sides there is room for the halves of the first and the last time.
+      padding: [screenPadding.top, screenPadding.right, 0, 0],
       scales: { x: { time: false }, y: { auto: false, range: [-divisions, divisions] } },
       axes: [
-        { ...axis, size: 24 },
+        { ...axis, size: screenPadding.bottom },
         {
           ...axis,
-          size: 8,
-          values: () => [],
+          size: 56,
+          stroke: () => {
+            const { scaleOf } = this.#marks;
+            return scaleOf < 0 ? colour("--muted") : channelColour(scaleOf);
+          },
+          values: () => this.#values,
           splits: () => Array.from({ length: 2 * divisions + 1 }, (_, index) => index - divisions),
         },
       ],

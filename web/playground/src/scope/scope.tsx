@@ -13,6 +13,7 @@ import { Controls } from "./controls.js";
 import { Plot } from "./plot.js";
 import { putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
+import { Zeros } from "./zeros.js";
 
 const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
 
@@ -45,13 +46,15 @@ export function ScopePanel() {
   const look = isDark() ? "dark" : "light";
   useEffect(() => {
     if (size.width < 20 || size.height < 20) return;
+    const { value: channels } = scope.channels;
+    const scaleOf = channels.findIndex(({ name }) => name === scope.chosen.value);
     plot.current?.draw(
       sweep,
-      scope.channels.value,
-      { cursors: scope.cursors.value ?? [], trigger },
+      channels,
+      { cursors: scope.cursors.value ?? [], trigger, scaleOf },
       look,
     );
-  }, [sweep, trigger, scope.channels.value, scope.cursors.value, look, size]);
+  }, [sweep, trigger, scope.channels.value, scope.chosen.value, scope.cursors.value, look, size]);
 
   const held = useRef<0 | 1>(0);
   const put = (which: 0 | 1, time: number) => {
@@ -80,28 +83,33 @@ export function ScopePanel() {
           });
         }}
       />
-      <div
-        class="screen"
-        data-to-ms={sweep.toMs}
-        ref={host}
-        role="img"
-        aria-label={`${t.label}: ${scope.channels.value.map(({ name }) => name).join(", ")}`}
-        onPointerDown={(event) => {
-          const time = plot.current?.timeAt(event.clientX);
-          if (time === undefined) return;
-          event.currentTarget.setPointerCapture(event.pointerId);
-          const [a, b] = scope.cursors.value ?? [sweep.fromMs, sweep.toMs];
-          held.current = event.shiftKey || Math.abs(time - b) < Math.abs(time - a) ? 1 : 0;
-          put(held.current, time);
-        }}
-        onPointerMove={(event) => {
-          if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
-          const time = plot.current?.timeAt(event.clientX);
-          if (time !== undefined) put(held.current, time);
-        }}
-      />
+      <div class="scope-body">
+        <ChannelList sweep={sweep} />
+        <div class="screen-box">
+          <div
+            class="screen"
+            data-to-ms={sweep.toMs}
+            ref={host}
+            role="img"
+            aria-label={`${t.label}: ${scope.channels.value.map(({ name }) => name).join(", ")}`}
+            onPointerDown={(event) => {
+              const time = plot.current?.timeAt(event.clientX);
+              if (time === undefined) return;
+              event.currentTarget.setPointerCapture(event.pointerId);
+              const [a, b] = scope.cursors.value ?? [sweep.fromMs, sweep.toMs];
+              held.current = event.shiftKey || Math.abs(time - b) < Math.abs(time - a) ? 1 : 0;
+              put(held.current, time);
+            }}
+            onPointerMove={(event) => {
+              if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+              const time = plot.current?.timeAt(event.clientX);
+              if (time !== undefined) put(held.current, time);
+            }}
+          />
+          <Zeros />
+        </div>
+      </div>
       {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
-      <ChannelList sweep={sweep} />
       <Cursors sweep={sweep} onPut={put} />
     </div>
   );

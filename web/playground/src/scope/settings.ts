@@ -29,6 +29,8 @@ interface Knobs {
 
 interface Scope extends Knobs {
   channels: Setting[];
+  /** The name of the channel whose knobs and scale are shown. */
+  chosen: string;
   /** A single sweep takes the first trigger from this time on. */
   armedAt: number;
   /** Times of the cursors A and B in ms. */
@@ -43,6 +45,7 @@ const [scope, change] = slice<Scope>({
   edge: "rising",
   before: 0.25,
   channels: [],
+  chosen: "",
   armedAt: 0,
   cursors: undefined,
 });
@@ -65,6 +68,7 @@ effect(() => {
     : (source.lesson.value.scope ?? []);
   change({
     channels: names.map((name) => ({ name, offset: 0 })),
+    chosen: names[0] ?? "",
     source: names[0] ?? "",
     cursors: undefined,
     armedAt: 0,
@@ -89,14 +93,25 @@ export function addChannel(name: string): void {
   if (before.some((each) => each.name === name)) return;
   change({
     channels: [...before, { name, offset: 0 }],
+    chosen: name,
     source: scope.source.peek() || name,
   });
 }
 
 export function removeChannel(name: string): void {
   const channels = scope.channels.peek().filter((each) => each.name !== name);
+  const first = channels[0]?.name ?? "";
   const trigger = scope.source.peek();
-  change({ channels, source: trigger === name ? (channels[0]?.name ?? "") : trigger });
+  const chosen = scope.chosen.peek();
+  change({
+    channels,
+    source: trigger === name ? first : trigger,
+    chosen: chosen === name ? first : chosen,
+  });
+}
+
+export function chooseChannel(name: string): void {
+  change({ chosen: name });
 }
 
 export function setChannel(setting: Setting): void {
