@@ -6,5 +6,6 @@ export * from "./language.js";
 export * from "./module.js";
 export * from "./protocol.js";
 export * from "./record.js";
+export * from "./statements.js";
 export * from "./transport.js";
 export * from "./worker_transport.js";

@@ -1,6 +1,6 @@
 // The failing run that the last exploration has found, and its place on the card.
 
-import type { Interleaving, Project } from "@oncard/engine";
+import { type Executed, type Interleaving, type Project, statementsOf } from "@oncard/engine";
 import { computed } from "@preact/signals";
 
 import { bench, present, session } from "../session/bench.js";
@@ -8,7 +8,6 @@ import { forgetRecord } from "../session/record.js";
 import { seek } from "../session/seeking.js";
 import { slice } from "../store/slice.js";
 import { useAsked } from "../session/asked.js";
-import { type Executed, statementsOf } from "./moments.js";
 
 export interface FailingRun {
   project: Project;

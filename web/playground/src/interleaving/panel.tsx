@@ -1,13 +1,12 @@
 // The failing run of an exploration: what is wrong in a sentence, and how it came to it.
 
-import type { Interleaving } from "@oncard/engine";
+import { executedAt, type Interleaving } from "@oncard/engine";
 import { useState } from "preact/hooks";
 
 import { Tabs } from "../controls/tabs.js";
 import { present } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
 import { failingRun, goToStep, useStepsOnCard } from "./failing_run.js";
-import { executedAt } from "./moments.js";
 import { InterleavingTable } from "./table.js";
 
 export function InterleavingPanel() {

@@ -1,7 +1,7 @@
 // The timeline: a row for each thread, who ran, waited and faulted when, and a cursor that can be
 // dragged.
 
-import type { Thread, Turn } from "@oncard/engine";
+import { type Executed, executedAt, type Thread, type Turn } from "@oncard/engine";
 import { effect, signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
@@ -9,7 +9,6 @@ import { Tabs } from "../controls/tabs.js";
 import { namedLayout } from "../frame/current.js";
 import { rowOf, touchesShared } from "../interleaving/cells.js";
 import { failingRun, isOnCard, useStepsOnCard } from "../interleaving/failing_run.js";
-import { type Executed, executedAt } from "../interleaving/moments.js";
 import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { seek } from "../session/seeking.js";

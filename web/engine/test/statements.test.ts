@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { executedAt, statementsOf } from "../src/interleaving/moments.js";
+import { executedAt, statementsOf } from "../src/statements.js";
 
 // A cycle begins before the first turn, and another one between the last two.
 const turns = [

@@ -1,6 +1,6 @@
-// Where the statements of a run are among its moments. Tested by test/moments.test.ts.
+// Where the statements of a run are among its moments. Tested by test/statements.test.ts.
 
-import type { Turn } from "@oncard/engine";
+import type { Turn } from "./protocol.js";
 
 /** A statement that was executed. */
 export interface Executed {
