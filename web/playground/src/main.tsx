@@ -24,8 +24,7 @@ import "./style/tokens.css";
 import "./style/elements.css";
 import "./style/frame.css";
 import "./style/parts.css";
-import "./interleaving/table.css";
-import "./interleaving/arrow.css";
+import "./interleaving/view.css";
 import "./two_columns/view.css";
 
 keepSettings(navigator.language);

@@ -1,5 +1,6 @@
 // The texts of the page in English. zh.ts has the same in Chinese.
 
+import { interleaving } from "./interleaving.js";
 import { twoColumns } from "./two_columns.js";
 
 export const en = {
@@ -287,28 +288,7 @@ export const en = {
     stopped: "The exploration was stopped.",
   },
 
-  interleaving: {
-    label: "Failing run, step by step",
-    step: "step",
-    shared: "shared",
-    reads: (value: string) => `reads ${value}`,
-    statements: (count: number) => (count === 1 ? "1 statement" : `${count} statements`),
-    nothingShared: ", nothing shared",
-    fatal: "From here on, every continuation fails.",
-    keeps: (thread: number, value: string) => `Thread ${thread} keeps the old ${value}`,
-    meanwhile: (thread: number, value: string) => `while thread ${thread} makes it ${value}.`,
-    orders: "Orders",
-    thisOrder: "This order",
-    bothOrders: "Both",
-    first: (thread: number) => `Thread ${thread} first`,
-    end: (values: string) => `at the end ${values}`,
-    sameEnd: "the ends are the same",
-    forever: "And then for ever:",
-    skipped: (statements: number) =>
-      statements === 1
-        ? "1 statement before is not shown."
-        : `${statements} statements before are not shown.`,
-  },
+  interleaving: interleaving.en,
 
   welcome: {
     label: "Welcome",

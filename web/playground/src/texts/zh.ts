@@ -1,6 +1,7 @@
 // 页面的中文文本，与 en.ts 内容相同。
 
 import type { Texts } from "./en.js";
+import { interleaving } from "./interleaving.js";
 import { twoColumns } from "./two_columns.js";
 
 export const zh: Texts = {
@@ -281,25 +282,7 @@ export const zh: Texts = {
     stopped: "探索已停止。",
   },
 
-  interleaving: {
-    label: "失败的运行，逐步列出",
-    step: "步",
-    shared: "共享变量",
-    reads: (value: string) => `读到 ${value}`,
-    statements: (count: number) => `${count} 条语句`,
-    nothingShared: "，不涉及共享变量",
-    fatal: "从这里起，怎样继续都会失败。",
-    keeps: (thread: number, value: string) => `线程 ${thread} 一直拿着旧的 ${value}`,
-    meanwhile: (thread: number, value: string) => `而线程 ${thread} 已把它改为 ${value}。`,
-    orders: "次序",
-    thisOrder: "此次序",
-    bothOrders: "对照",
-    first: (thread: number) => `线程 ${thread} 在先`,
-    end: (values: string) => `最终 ${values}`,
-    sameEnd: "最终结果相同",
-    forever: "然后永远重复：",
-    skipped: (statements: number) => `此前的 ${statements} 条语句未列出。`,
-  },
+  interleaving: interleaving.zh,
 
   welcome: {
     label: "欢迎",
