@@ -22,6 +22,8 @@ export interface LaunchConfig {
   stopOnEntry: boolean;
   /** A function whose first statement the run stops at, once. */
   stopAtFunction: string | undefined;
+  /** Stand after this statement of the run, counted from 1. */
+  stopAtStatement: number | undefined;
   /** The program is structured C. */
   structured: boolean;
   /** Names of warnings of the card that are left out. */
@@ -53,6 +55,7 @@ export function readLaunchConfig(
     card: cardIn(config),
     stopOnEntry: flagIn(config, "stopOnEntry"),
     stopAtFunction: textIn(config, "stopAtFunction"),
+    stopAtStatement: statementIn(config),
     structured: flagIn(config, "structured"),
     silent: textsIn(config, "silent"),
     noDebug: flagIn(config, "noDebug"),
@@ -91,6 +94,16 @@ function cardIn(config: Readonly<Record<string, unknown>>): number | undefined {
   throw new UserError({
     en: "'card' of the launch configuration must be the number of a card",
     zh: "启动配置的“card”应为卡号",
+  });
+}
+
+function statementIn(config: Readonly<Record<string, unknown>>): number | undefined {
+  const value = config["stopAtStatement"];
+  if (value === undefined) return undefined;
+  if (typeof value === "number" && Number.isInteger(value) && value >= 0) return value;
+  throw new UserError({
+    en: "'stopAtStatement' of the launch configuration must be the number of a statement of the run",
+    zh: "启动配置的“stopAtStatement”应为本次运行中语句的序号",
   });
 }
 

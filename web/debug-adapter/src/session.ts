@@ -20,6 +20,7 @@ import { readMemory } from "./memory.js";
 import { Mover } from "./mover.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
 import { record } from "./recording.js";
+import { statementsUntil, toStatement } from "./statements.js";
 import { Stops } from "./stops.js";
 import { UserError } from "./texts.js";
 
@@ -106,11 +107,13 @@ export class OncardSession extends DebugSession {
   }
 
   #begin(response: DebugProtocol.Response): void {
-    if (this.#launched?.config.stopOnEntry) {
+    const { stopOnEntry, stopAtStatement } = this.#launched?.config ?? {};
+    if (this.#launched && stopOnEntry) {
       this.sendResponse(response);
       this.#mover.enter(this.#launched);
     } else {
-      this.#move(response, toNextStop);
+      const isPlace = stopAtStatement !== undefined;
+      this.#move(response, isPlace ? toStatement(stopAtStatement) : toNextStop);
     }
   }
 
@@ -384,6 +387,12 @@ export class OncardSession extends DebugSession {
       case "help":
         response.body = result(this.#editor.say(commandHelp));
         this.sendResponse(response);
+        break;
+      case "count":
+        this.#editor.answer(response, async () => {
+          const { engine, state } = this.#now();
+          response.body = result(String(await statementsUntil(engine, state)));
+        });
         break;
       case "record":
         this.#editor.answer(response, async () => {

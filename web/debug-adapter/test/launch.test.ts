@@ -268,6 +268,24 @@ describe("stopAtFunction", () => {
   });
 });
 
+describe("stopAtStatement", () => {
+  const text = "int x;\nint f()\n{\n  x = 1;\n  x = 2;\n  x = 3;\n}\n";
+
+  test("stands after that statement of the run", async () => {
+    const editor = await openEditor();
+    await editor.launch(programOf(text), { stopAtStatement: 2 });
+    expect(await editor.run()).toMatchObject({ reason: "step", threadId: 1 });
+    expect([await editor.line(), await editor.value("x")]).toEqual([6, "2"]);
+  });
+
+  test.each([-1, 1.5, "2"])("%j is no number of a statement", async (stopAtStatement) => {
+    const editor = await openEditor();
+    await expect(editor.launch(programOf(text), { stopAtStatement })).rejects.toThrow(
+      "'stopAtStatement' of the launch configuration must be the number of a statement of the run",
+    );
+  });
+});
+
 test("a run without debugging stops nowhere and ends by itself", async () => {
   const editor = await openEditor();
   const path = sample("05_arrays/out_of_bounds.toml");

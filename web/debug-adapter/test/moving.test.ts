@@ -225,6 +225,26 @@ describe("the console", () => {
     await expect(editor.console("thread 5")).rejects.toThrow("thread 5");
   });
 
+  test("statement N goes to after a statement of the run, forward and back", async () => {
+    const editor = await enter(programOf("int x;\nint f()\n{\n  x = 1;\n  x = 2;\n  x = 3;\n}\n"));
+    for (const [number, x] of [
+      [2, "2"],
+      [3, "3"],
+      [1, "1"],
+      [0, "0"],
+    ] as const) {
+      await editor.console(`statement ${number}`);
+      expect(await editor.stopped()).toMatchObject({ reason: "step" });
+      expect([await editor.value("x"), await editor.console("statement")]).toEqual([
+        x,
+        String(number),
+      ]);
+    }
+    await editor.console("statement 99");
+    expect(await editor.stopped()).toMatchObject({ text: /every thread has ended/ });
+    expect(await editor.value("x")).toBe("3");
+  });
+
   test("back change NAME", async () => {
     const editor = await enter(twoThreads);
     await editor.move("continue");
@@ -247,7 +267,7 @@ describe("the console", () => {
 
   test("help", async () => {
     const help = await (await enter(programOf(endless))).console("help");
-    for (const command of ["cycle", "rest", "thread", "back change", "record"]) {
+    for (const command of ["cycle", "rest", "thread", "statement", "back change", "record"]) {
       expect(help).toContain(command);
     }
   });
