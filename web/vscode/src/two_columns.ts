@@ -2,7 +2,7 @@
 // that of the page.
 // Tested by test/package.test.ts and e2e/editor.spec.ts.
 
-import { basename, join, resolve } from "node:path";
+import { basename, resolve } from "node:path";
 
 import { type Engine, RefusedError, type TwoColumns } from "@oncard/engine";
 import { type Shown, shownAfter } from "@oncard/playground/two_columns/shown";
@@ -14,7 +14,6 @@ import {
   type TextEditor,
   Uri,
   ViewColumn,
-  type Webview,
   type WebviewPanel,
   window,
   workspace,
@@ -24,6 +23,7 @@ import { mainOf, projectOf } from "./documents";
 import type { Engines } from "./engines";
 import { language, say } from "./texts";
 import type { FromView, Place, ToView } from "./two_columns_messages";
+import { viewPage } from "./view_page";
 
 export function registerTwoColumns(engines: Engines): Disposable[] {
   let panel: TwoColumnsPanel | undefined;
@@ -85,7 +85,7 @@ class TwoColumnsPanel {
       onClosed();
     });
     this.#follow(window.activeTextEditor);
-    webview.html = htmlOf(webview, folder);
+    webview.html = viewPage(webview, folder, "two_columns");
   }
 
   show(): void {
@@ -174,21 +174,4 @@ class TwoColumnsPanel {
 
 function isProgram({ uri, languageId }: TextDocument): boolean {
   return uri.scheme === "file" && (languageId === "c" || languageId === "motion-program");
-}
-
-function htmlOf(webview: Webview, folder: Uri): string {
-  const at = (name: string) => webview.asWebviewUri(Uri.file(join(folder.fsPath, name))).toString();
-  return `<!doctype html>
-<html lang="${language()}">
-  <head>
-    <meta charset="utf-8" />
-    <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src ${webview.cspSource}; style-src ${webview.cspSource}" />
-    <link rel="stylesheet" href="${at("two_columns.css")}" />
-  </head>
-  <body>
-    <main></main>
-    <script src="${at("two_columns.js")}"></script>
-  </body>
-</html>
-`;
 }

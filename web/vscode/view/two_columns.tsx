@@ -8,6 +8,7 @@ import type { FromView, ToView } from "../src/two_columns_messages";
 
 import "@oncard/playground/elements.css";
 import "@oncard/playground/two_columns.css";
+import "./editor_look.css";
 import "./two_columns.css";
 
 declare function acquireVsCodeApi(): { postMessage(message: FromView): void };
