@@ -6,6 +6,7 @@ import { fileURLToPath } from "node:url";
 import { expect, type Locator, type Page, test } from "@playwright/test";
 
 const work = fileURLToPath(new URL("../dist/e2e-editor/work", import.meta.url));
+const lost = fileURLToPath(new URL("../dist/e2e-editor/lost", import.meta.url));
 const search = fileURLToPath(new URL("node_modules/@vscode/ripgrep/bin/rg", import.meta.url));
 
 /** Puts the cursor at the end of a line. */
@@ -130,6 +131,37 @@ test("C stands beside card code", async ({ page }) => {
     await page.getByRole("treeitem", { name: "sum.c" }).dblclick();
     await expect(page.getByRole("tab", { name: "sum.c beside card code" })).toBeVisible();
     await expect(view.getByText("This program is in the card's own C")).toBeVisible();
+  });
+});
+
+test("a failing run leads to its steps in the debugger, and follows it", async ({ page }) => {
+  await page.goto(`./?folder=${lost}`);
+  await page.getByRole("treeitem", { name: "lost.toml" }).dblclick();
+  const tab = page.getByRole("tab", { name: "lost.toml: failing run" });
+  await choose(page, "explore", tab);
+  const view = page.frameLocator("iframe.webview").frameLocator("#active-frame");
+  const row = (step: number) => view.locator(`#step-${step}`);
+
+  await test.step("it says what is wrong, and from where on", async () => {
+    await expect(view.getByRole("heading")).toHaveText("sum is 3, expected 10");
+    await expect(view.getByText("From here on, every continuation fails.")).toBeVisible();
+    await expect(view.locator("tr.now")).toHaveCount(0);
+  });
+
+  await test.step("a click at a step debugs the run from there", async () => {
+    await row(9).click();
+    await expect(page.locator(".debug-toolbar")).toBeVisible();
+    await expect(row(9)).toHaveClass("now");
+    await row(4).click();
+    await expect(row(4)).toHaveClass("now");
+  });
+
+  await test.step("it follows the debugger, and its end", async () => {
+    await page.getByRole("button", { name: /^Step Into/ }).click();
+    await expect(row(4)).not.toHaveClass("now");
+    await expect(view.locator("tr.now")).toHaveCount(1);
+    await page.getByRole("button", { name: /^Stop/ }).click();
+    await expect(view.locator("tr.now")).toHaveCount(0);
   });
 });
 

@@ -1,9 +1,6 @@
 // Run, debug and explore: for the palette and for the lenses above a file.
 // Tested by test/commands.test.ts.
 
-import { writeFile } from "node:fs/promises";
-import { dirname, join, parse } from "node:path";
-
 import {
   commands,
   type Disposable,
@@ -18,13 +15,15 @@ import {
 import { startDebugging } from "./debug";
 import { mainOf } from "./documents";
 import type { Engines } from "./engines";
+import { type FailingRunPanel, keepSchedule } from "./failing_run";
 import { explored, type Outcome, ran } from "./runs";
 import { language, say } from "./texts";
 
-/** Where counterexamples are kept. */
-type Folder = string;
-
-export function registerCommands(engines: Engines, output: OutputChannel): Disposable[] {
+export function registerCommands(
+  engines: Engines,
+  output: OutputChannel,
+  failingRun: FailingRunPanel,
+): Disposable[] {
   type Work = (main: string, argument: unknown) => Promise<unknown>;
   const onFile = (name: string, work: Work) =>
     commands.registerCommand(name, async (uri?: Uri, argument?: unknown) => {
@@ -38,9 +37,9 @@ export function registerCommands(engines: Engines, output: OutputChannel): Dispo
     onFile("oncard.run", (main) => run(engines, output, main)),
     // Menus give other arguments than the lens of a function.
     onFile("oncard.debug", async (main, name) =>
-      startDebugging(main, typeof name === "string" ? name : undefined),
+      startDebugging(main, typeof name === "string" ? { stopAtFunction: name } : {}),
     ),
-    onFile("oncard.explore", (main) => explore(engines, output, main)),
+    onFile("oncard.explore", (main) => explore(engines, output, failingRun, main)),
   ];
 }
 
@@ -58,8 +57,13 @@ async function run(engines: Engines, output: OutputChannel, main: string): Promi
   }
 }
 
-/** Shows the verdict; a counterexample is opened in the debugger if the user wishes. */
-async function explore(engines: Engines, output: OutputChannel, main: string): Promise<void> {
+/** Shows the verdict, and a run that fails; it is opened in the debugger if the user wishes. */
+async function explore(
+  engines: Engines,
+  output: OutputChannel,
+  failingRun: FailingRunPanel,
+  main: string,
+): Promise<void> {
   const engine = await engines.openModule();
   const title = say({ en: "oncard: exploring every interleaving", zh: "oncard：正在探索所有交错" });
   const outcome = await window.withProgress(
@@ -80,7 +84,10 @@ async function explore(engines: Engines, output: OutputChannel, main: string): P
   );
   if (!outcome) return;
   show(output, main, outcome);
-  if (outcome.schedule !== undefined) await offer(main, outcome.schedule);
+  const { schedule, interleaving } = outcome;
+  if (schedule === undefined) return;
+  if (interleaving) failingRun.show({ main, schedule, interleaving });
+  await offer(main, schedule);
 }
 
 async function offer(main: string, schedule: string): Promise<void> {
@@ -90,9 +97,7 @@ async function offer(main: string, schedule: string): Promise<void> {
     zh: "存在不成立的交错",
   });
   if ((await window.showWarningMessage(found, step)) !== step) return;
-  const path: Folder = join(dirname(main), `${parse(main).name}.schedule`);
-  await writeFile(path, schedule);
-  await startDebugging(path);
+  await startDebugging(await keepSchedule(main, schedule));
 }
 
 function show(output: OutputChannel, main: string, { lines }: Outcome): void {

@@ -8,6 +8,7 @@ import {
   type DebugAdapterDescriptor,
   DebugAdapterExecutable,
   type DebugConfiguration,
+  type DebugSession,
   type Disposable,
   window,
 } from "vscode";
@@ -62,10 +63,13 @@ function withoutEmpty(config: DebugConfiguration): Partial<DebugConfiguration> {
   return Object.fromEntries(Object.entries(config).filter(([, value]) => value !== ""));
 }
 
-/** Stands before the first step, or before the first statement of a function. */
-export function startDebugging(program: string, stopAtFunction?: string): Thenable<boolean> {
-  const where = stopAtFunction === undefined ? { stopOnEntry: true } : { stopAtFunction };
-  const config = { type: "oncard", request: "launch", name: "oncard", program, ...where };
+/** Stands before the first statement of a function, or after one of the run; otherwise before all. */
+export function startDebugging(
+  program: string,
+  where: { stopAtFunction?: string; stopAtStatement?: number } = {},
+): Thenable<boolean> {
+  const place = Object.keys(where).length > 0 ? where : { stopOnEntry: true };
+  const config = { type: "oncard", request: "launch", name: "oncard", program, ...place };
   return debug.startDebugging(undefined, config);
 }
 
@@ -98,16 +102,21 @@ async function saveSchedule(): Promise<void> {
   void window.showInformationMessage(say({ en: `saved ${path}`, zh: `已保存 ${path}` }));
 }
 
-/** A command of the debugger's console; its answer, or nothing if it failed. */
-async function execute(expression: string): Promise<string | undefined> {
+/** A command of the debugger's console; its answer, or nothing if it failed, which the user is told. */
+export async function execute(
+  expression: string,
+  session = debug.activeDebugSession,
+): Promise<string | undefined> {
   try {
-    const answer = (await debug.activeDebugSession?.customRequest("evaluate", {
-      expression,
-      context: "repl",
-    })) as { result: string } | undefined;
-    return answer?.result;
+    return session && (await inConsole(session, expression));
   } catch (error) {
     void window.showErrorMessage(error instanceof Error ? error.message : String(error));
     return undefined;
   }
+}
+
+/** The answer to a command of the debugger's console. */
+export async function inConsole(session: DebugSession, expression: string): Promise<string> {
+  const args = { expression, context: "repl" };
+  return ((await session.customRequest("evaluate", args)) as { result: string }).result;
 }

@@ -6,6 +6,7 @@ import { type Disposable, window } from "vscode";
 import { registerCommands } from "./commands";
 import { registerDebug } from "./debug";
 import type { Engines } from "./engines";
+import { FailingRunPanel } from "./failing_run";
 import { registerLenses } from "./lenses";
 import { registerListing } from "./listing";
 import { registerTests } from "./scenario_tests";
@@ -14,10 +15,12 @@ import { registerTwoColumns } from "./two_columns";
 
 export function registerFeatures(engines: Engines): Disposable[] {
   const output = window.createOutputChannel("oncard");
+  const failingRun = new FailingRunPanel(engines);
   return [
     output,
     ...registerDebug(engines),
-    ...registerCommands(engines, output),
+    ...failingRun.register(),
+    ...registerCommands(engines, output, failingRun),
     ...registerListing(engines),
     ...registerTwoColumns(engines),
     ...registerTests(engines),

@@ -1,7 +1,7 @@
 // Running and exploring a program or a scenario, as text: for commands, tasks and tests.
 // Tested by test/runs.test.ts.
 
-import type { Diagnostic, Engine, ExploreAnswer, RunAnswer } from "@oncard/engine";
+import type { Diagnostic, Engine, ExploreAnswer, Interleaving, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
 
 import { say } from "./texts";
@@ -25,6 +25,8 @@ export interface Outcome {
   lines: string[];
   /** A schedule file that repeats a failure of an exploration. */
   schedule?: string;
+  /** That failure as a table. */
+  interleaving?: Interleaving;
 }
 
 export async function checked(engine: Engine, main: string): Promise<Outcome> {
@@ -67,11 +69,16 @@ export async function explored(
   return outcomeOf(async () => outcomeOfSearch(await engine.explore({ main }, language)));
 }
 
-function outcomeOfSearch({ diagnostics, report, text, schedule }: ExploreAnswer): Outcome {
+function outcomeOfSearch(answer: ExploreAnswer): Outcome {
+  const { diagnostics, report, text, schedule, interleaving } = answer;
   const passed = report?.verdict === "PROVED" || report?.verdict === "PASSED";
   const lines = diagnostics.map(headline);
   if (text !== undefined) lines.push(...text.trimEnd().split("\n"));
-  return { passed, lines, ...(schedule === undefined ? {} : { schedule }) };
+  const failing = {
+    ...(schedule !== undefined && { schedule }),
+    ...(interleaving && { interleaving }),
+  };
+  return { passed, lines, ...failing };
 }
 
 /** What the engine refuses is a text for the user, too. */

@@ -79,6 +79,7 @@ export const commands = {
     editor.commands.set(name, handler);
     return nothing;
   },
+  executeCommand: (name: string) => Promise.resolve(editor.shown.push(name)),
 };
 
 export const languages = {
@@ -192,6 +193,7 @@ export const debug = {
   activeDebugSession: undefined as unknown,
   registerDebugAdapterDescriptorFactory: (_: string, factory: unknown) =>
     provide("adapter", factory),
+  registerDebugAdapterTrackerFactory: (_: string, factory: unknown) => provide("tracker", factory),
   registerDebugConfigurationProvider: (_: string, provider: unknown) => provide("launch", provider),
   startDebugging: (_: unknown, config: Record<string, unknown>) => {
     editor.launched.push(config);

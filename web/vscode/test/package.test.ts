@@ -37,11 +37,13 @@ import {
 
 import { Engines } from "../src/engines";
 import { registerFeatures } from "../src/features";
+import type { ToView as ToFailingRun } from "../src/failing_run_messages";
 import type { ToView } from "../src/two_columns_messages";
 import {
   type CustomExecution,
   documentAt,
   editor,
+  session,
   type Task,
   type TestMessage,
   TestRunProfileKind,
@@ -58,6 +60,11 @@ import {
   withoutCommand,
   withoutModule,
 } from "./support.js";
+
+interface Tracker {
+  onDidSendMessage(message: object): void;
+  onWillStopSession(): void;
+}
 
 describe.skipIf(withoutModule)("the package", () => {
   let work = "";
@@ -284,6 +291,53 @@ describe.skipIf(withoutModule)("the package", () => {
     const program = join(folder, "lost.schedule");
     expect(editor.launched).toMatchObject([{ type: "oncard", program }]);
     expect(readFileSync(program, "utf8")).toMatch(/^run 0 4\nnext 16 1 sum = copy \+ i;$/m);
+  });
+
+  test("a failing run leads into the debugger, and follows it", async () => {
+    const folder = copyOf("26_lost_update");
+    registerFeatures(new Engines(installed));
+    await editor.commands.get("oncard.explore")?.(Uri.file(join(folder, "lost.toml")));
+    const [panel] = editor.panels;
+    if (!panel) throw new Error("there is no panel");
+    onTestFinished(() => {
+      panel.dispose();
+    });
+    expect(panel.title).toBe("lost.toml: failing run");
+    panel.received.fire("ready");
+    const sent = panel.sent as ToFailingRun[];
+    expect(sent.at(-1)).toMatchObject({
+      run: { actual: "sum is 3, expected 10" },
+      language: "en",
+      now: null,
+    });
+
+    panel.received.fire({ step: 3 });
+    const program = join(folder, "lost.schedule");
+    await vi.waitFor(() => {
+      expect(editor.launched).toMatchObject([{ type: "oncard", program, stopAtStatement: 3 }]);
+    });
+    const tracked = (configuration: object) => {
+      const tracker = provider<{ createDebugAdapterTracker(session: object): Tracker }>("tracker");
+      return tracker.createDebugAdapterTracker({ ...session, configuration });
+    };
+    const stopped = { type: "event", event: "stopped" };
+    const [other, own] = [tracked({ program: "other.c" }), tracked({ program })];
+    editor.debugAnswers["evaluate"] = { result: "3" };
+    other.onDidSendMessage(stopped);
+    own.onDidSendMessage(stopped);
+    await vi.waitFor(() => {
+      expect(sent.at(-1)).toEqual({ now: 3 });
+    });
+    const inConsole = (expression: string) => ({
+      command: "evaluate",
+      args: { expression, context: "repl" },
+    });
+    panel.received.fire({ step: 7 });
+    await vi.waitFor(() => {
+      expect(editor.requests).toEqual([inConsole("statement"), inConsole("statement 7")]);
+    });
+    own.onWillStopSession();
+    expect(sent.at(-1)).toEqual({ now: null });
   });
 
   // As `oncard test`: lost.toml expects FAILED, and the run by turns gives the right sum.
