@@ -94,6 +94,24 @@ test("keys of a scenario are completed", async ({ page }) => {
   await expect(list.getByRole("option").first()).toContainText("until_ms");
 });
 
+test("words are completed although more is typed before the answer", async ({ page }) => {
+  await page.addInitScript(() => {
+    const post = Reflect.get(Worker.prototype, "postMessage");
+    Worker.prototype.postMessage = function (this: Worker, ...message: unknown[]) {
+      setTimeout(() => {
+        Reflect.apply(post, this, message);
+      }, 1000);
+    };
+  });
+  await open(page);
+  await openOwn(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\n');
+  await editor(page).press("Control+End");
+  await page.keyboard.type("until", { delay: 150 });
+  await expect(page.getByRole("listbox").getByRole("option").first()).toContainText("until_ms");
+});
+
 test("breakpoints move with their lines, and have a key", async ({ page }) => {
   await open(page);
   await openOwn(page);

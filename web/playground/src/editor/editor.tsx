@@ -175,20 +175,20 @@ function Breakpoints() {
   );
 }
 
-/** What the engine answers about a place in the editor, and where in its text; undefined if the text is
- *  another one by then. */
+/** What the engine answers about a place in the editor, and where in the text that it was asked about. */
 async function answered<Answer extends { range: Description["range"] }>(
   asking: CodeEditor,
   index: number,
   ask: (line: number, column: number) => Promise<Answer | null>,
-): Promise<{ answer: Answer; from: number; to: number } | undefined> {
+): Promise<{ answer: Answer; text: string; from: number; to: number } | undefined> {
   const { text } = asking;
   const { line, column } = placeOfIndex(text, index);
   const answer = await ask(line, column).catch(() => null);
-  if (!answer || text !== asking.text) return undefined;
+  if (!answer) return undefined;
   const { range } = answer;
   return {
     answer,
+    text,
     from: indexOfPlace(text, range.line, range.column),
     to: indexOfPlace(text, range.end_line, range.end_column),
   };
@@ -217,9 +217,12 @@ function Code() {
       },
       describe: async (index) => {
         const found = await answered(created, index, describe);
-        return found && { from: found.from, to: found.to, html: htmlOf(found.answer.markdown) };
+        // Of another text than is shown by now it would stand at a wrong place.
+        if (found?.text !== created.text) return undefined;
+        return { from: found.from, to: found.to, html: htmlOf(found.answer.markdown) };
       },
       complete: async (index) => {
+        // The editor itself fits the words to what has been typed meanwhile.
         const found = await answered(created, index, complete);
         return (
           found && {
