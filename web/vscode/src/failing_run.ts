@@ -99,8 +99,13 @@ export class FailingRunPanel {
       { enableScripts: true, localResourceRoots: [this.#folder] },
     );
     panel.webview.onDidReceiveMessage((message: FromView) => {
-      if (message === "ready") this.#send();
-      else void this.#goTo(message.step);
+      if (message === "ready") {
+        this.#send();
+        return;
+      }
+      this.#goTo(message.step).catch((error: unknown) => {
+        void window.showErrorMessage(error instanceof Error ? error.message : String(error));
+      });
     });
     panel.onDidDispose(() => {
       this.#panel = undefined;

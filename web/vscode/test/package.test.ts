@@ -338,6 +338,14 @@ describe.skipIf(withoutModule)("the package", () => {
     });
     own.onWillStopSession();
     expect(sent.at(-1)).toEqual({ now: null });
+
+    // Its schedule cannot be kept.
+    rmSync(program);
+    mkdirSync(program);
+    panel.received.fire({ step: 3 });
+    await vi.waitFor(() => {
+      expect(editor.shown.at(-1)).toMatch(/^EISDIR: /);
+    });
   });
 
   // As `oncard test`: lost.toml expects FAILED, and the run by turns gives the right sum.
