@@ -107,13 +107,14 @@ export class OncardSession extends DebugSession {
   }
 
   #begin(response: DebugProtocol.Response): void {
-    const { stopOnEntry, stopAtStatement } = this.#launched?.config ?? {};
+    const { stopOnEntry, stopAtStatement, noDebug } = this.#launched?.config ?? {};
     if (this.#launched && stopOnEntry) {
       this.sendResponse(response);
       this.#mover.enter(this.#launched);
+    } else if (stopAtStatement !== undefined && !noDebug) {
+      this.#move(response, toStatement(stopAtStatement));
     } else {
-      const isPlace = stopAtStatement !== undefined;
-      this.#move(response, isPlace ? toStatement(stopAtStatement) : toNextStop);
+      this.#move(response, toNextStop);
     }
   }
 

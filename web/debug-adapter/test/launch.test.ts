@@ -278,6 +278,22 @@ describe("stopAtStatement", () => {
     expect([await editor.line(), await editor.value("x")]).toEqual([6, "2"]);
   });
 
+  test("not in a run without debugging", async () => {
+    const editor = await openEditor();
+    await editor.launch(programOf(text), { stopAtStatement: 2, noDebug: true });
+    await Promise.all([
+      editor.client.waitForEvent("terminated"),
+      editor.client.configurationDoneRequest(),
+    ]);
+  });
+
+  test("after stopOnEntry it is left out", async () => {
+    const editor = await openEditor();
+    await editor.launch(programOf(text), { stopAtStatement: 2, stopOnEntry: true });
+    expect(await editor.run()).toMatchObject({ reason: "entry" });
+    expect(await editor.move("continue")).toMatchObject({ text: /every thread has ended/ });
+  });
+
   test.each([-1, 1.5, "2"])("%j is no number of a statement", async (stopAtStatement) => {
     const editor = await openEditor();
     await expect(editor.launch(programOf(text), { stopAtStatement })).rejects.toThrow(
