@@ -17,7 +17,7 @@ const mostTurns = 100_000;
 
 /** How many statements have been executed where the card stands. */
 export async function statementsUntil(engine: Engine, { moment }: State): Promise<number> {
-  return executedAt(await statementsFrom(engine), moment);
+  return executedAt(await statementsIn(engine, moment), moment);
 }
 
 /** To after a statement, counted from 1; to the end of a run that has fewer. */
@@ -25,24 +25,23 @@ export function toStatement(number: number): Movement {
   return {
     reason: "step",
     walk: async (engine, options) => {
-      let statements = await statementsFrom(engine);
+      let statements = await statementsIn(engine, (await engine.state()).head);
       if (statements.length < number) {
         const walked = await engine.walkForward({ goal: "end" }, options);
-        statements = await statementsFrom(engine);
+        statements = await statementsIn(engine, walked.state.head);
         if (statements.length < number) return walked;
       }
-      const moment = number === 0 ? 0 : (statements[number - 1]?.moment ?? 0);
+      const moment = statements[number - 1]?.moment ?? 0;
       return { stop: { reason: "goal" }, state: await engine.goTo({ moment }) };
     },
   };
 }
 
-/** All of the run that are known. */
-async function statementsFrom(engine: Engine): Promise<Executed[]> {
-  const { head } = await engine.state();
+/** Those of the run up to a moment that has been reached. */
+async function statementsIn(engine: Engine, to: number): Promise<Executed[]> {
   let turns: Turn[] = [];
   for (let from = 0; ; ) {
-    const next = await engine.turns(from, head, mostTurns);
+    const next = await engine.turns(from, to, mostTurns);
     turns = turns.concat(next);
     const last = next.at(-1);
     if (!last || next.length < mostTurns) return statementsOf(turns);
