@@ -8,7 +8,7 @@ import { divisions, type Setting } from "./channels.js";
 import { screenPadding } from "./plot.js";
 import { chooseChannel, scope, setChannel } from "./settings.js";
 
-/** So far an arrow key moves a zero, in divisions. */
+/** How far an arrow key moves a zero, in divisions. */
 const step = 0.5;
 
 export function Zeros() {
