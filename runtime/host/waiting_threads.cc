@@ -16,9 +16,9 @@ namespace oncard::runtime {
 namespace {
 
 /// Files of more threads are not kept open: a process may have few descriptors.
-constexpr size_t kKeptThreads = 64;
-/// How often threads that end and begin during the look are listed anew.
-constexpr int kListingsOfOneLook = 3;
+constexpr size_t kKeptThreads = 40;
+/// How often the threads are looked at while some run, end and begin in between.
+constexpr int kLooksOfOneAnswer = 4;
 /// A folder has two links besides those of its subfolders.
 constexpr size_t kOwnLinks = 2;
 
@@ -45,9 +45,16 @@ std::string_view LineOf(std::string_view status, std::string_view key) {
   return line.substr(0, line.find('\n'));
 }
 
-/// The letters of threads that wait: asleep, or ended and not yet waited for.
-bool IsWaiting(std::string_view state) {
+/// The letters of threads that wait: asleep, or ended and not yet waited for. Others run, or wait
+/// for a disk.
+bool IsWaitingState(std::string_view state) {
   return state.starts_with('S') || state.starts_with('Z') || state.starts_with('X');
+}
+
+/// By what `stat` says: its number, its name in parentheses, which can contain any, and its state.
+bool IsWaiting(std::string_view stat) {
+  const size_t name_end = stat.rfind(") ");
+  return name_end != std::string_view::npos && IsWaitingState(stat.substr(name_end + 2));
 }
 
 /// For what a thread waits that is asleep, by what `syscall` says of it.
@@ -97,8 +104,9 @@ void WaitingThreads::CloseAll() {
 }
 
 void WaitingThreads::CloseFiles(const Thread& thread) const {
-  if (thread.call >= 0) ::close(thread.call);
-  if (thread.runs >= 0) ::close(thread.runs);
+  for (const int file : {thread.state, thread.runs, thread.call}) {
+    if (file >= 0) ::close(file);
+  }
 }
 
 void WaitingThreads::OpenFolder() {
@@ -130,12 +138,21 @@ size_t WaitingThreads::Count() {
   return folder && folder->st_nlink > kOwnLinks ? folder->st_nlink - kOwnLinks : 0;
 }
 
+size_t WaitingThreads::CountKnown(const Known& known) {
+  const auto others = std::ranges::count_if(
+      left_out, [&](const auto& out) { return out != 0 && out != known.caller; });
+  return 1 + known.asleep.size() + static_cast<size_t>(others);
+}
+
 void WaitingThreads::OpenFiles(Thread* thread) const {
   const auto open = [thread](const char* name) {
     return MoveToKept(::open(PathOf(thread->id, name).c_str(), O_RDONLY | O_CLOEXEC));
   };
-  if (counts_runs_) thread->call = open("syscall");
-  thread->runs = open(counts_runs_ ? "schedstat" : "status");
+  if (counts_runs_) {
+    thread->call = open("syscall");
+    thread->runs = open("schedstat");
+  }
+  thread->state = open(counts_runs_ ? "stat" : "status");
 }
 
 void WaitingThreads::ListThreads() {
@@ -152,7 +169,7 @@ void WaitingThreads::ListThreads() {
       listed.push_back(std::move(*known));
       threads_.erase(known);
     } else {
-      listed.push_back({id, -1, -1, {}});
+      listed.emplace_back().id = id;
       if (listed.size() <= kKeptThreads) OpenFiles(&listed.back());
     }
   }
@@ -176,70 +193,81 @@ std::string WaitingThreads::Read(const Thread& thread, int file, const char* nam
   return text;
 }
 
-WaitingThreads::Answer WaitingThreads::LookAt(Thread* thread, bool in_slices, bool second) {
+// A thread that was woken and has not yet run has slept where `syscall` says, and has run as often
+// as before; only its state says that it waits no more. But a thread that is about to sleep has the
+// state already, and goes on if it is woken now. So a thread is first seen asleep by `syscall`,
+// which tells whether it has stopped running, between its runs and its state. It has slept on if it
+// has the state later, and its runs, read last, are the same.
+WaitingThreads::Answer WaitingThreads::LookAt(Thread* thread, bool in_slices, bool* slept_on) {
   ++work_.looks;
-  std::string runs;
-  bool waits = false;
-  Waits wait = Waits::kForOutside;
-  if (counts_runs_) {
-    const std::string call = Read(*thread, thread->call, "syscall");
-    if (call.empty()) return std::nullopt;
-    if (call.starts_with("running")) return Waits::kNot;
-    if (in_slices) return Waits::kForThreads;
-    wait = WaitOf(call);
-    runs = Read(*thread, thread->runs, "schedstat");
-    if (runs.empty()) return std::nullopt;
-    if (runs == thread->asleep) return wait;
-    // What is not running can also wait for a disk. The name in parentheses can contain any.
-    const std::string status = Read(*thread, -1, "stat");
-    const size_t name_end = status.rfind(") ");
-    if (name_end == std::string::npos) return std::nullopt;
-    waits = IsWaiting(std::string_view(status).substr(name_end + 2));
-  } else {
-    const std::string status = Read(*thread, thread->runs, "status");
-    if (status.empty()) return std::nullopt;
-    waits = IsWaiting(LineOf(status, "\nState:\t"));
-    if (waits && in_slices) return Waits::kForThreads;
-    runs = LineOf(status, "\nvoluntary_ctxt_switches:\t");
-    if (waits && runs == thread->asleep) return wait;
-  }
-  thread->asleep = waits ? runs : std::string();
-  return waits && !second ? wait : Waits::kNot;
+  if (!counts_runs_) return LookAtStatus(thread, in_slices, slept_on);
+  std::string state = Read(*thread, thread->state, "stat");
+  if (state.empty()) return std::nullopt;
+  if (!IsWaiting(state)) return Waits::kNot;
+  if (in_slices) return Waits::kForThreads;
+  const std::string runs = Read(*thread, thread->runs, "schedstat");
+  if (runs.empty()) return std::nullopt;
+  if (runs == thread->asleep) return thread->wait;
+
+  *slept_on = false;
+  thread->asleep.clear();
+  const std::string call = Read(*thread, thread->call, "syscall");
+  state = Read(*thread, thread->state, "stat");
+  if (call.empty() || state.empty()) return std::nullopt;
+  if (call.starts_with("running") || !IsWaiting(state)) return Waits::kNot;
+  thread->asleep = runs;
+  thread->wait = WaitOf(call);
+  return thread->wait;
 }
 
-WaitingThreads::Answer WaitingThreads::LookAtOthers(const Known& known, bool second) {
+WaitingThreads::Answer WaitingThreads::LookAtStatus(Thread* thread, bool in_slices,
+                                                    bool* slept_on) {
+  const std::string status = Read(*thread, thread->state, "status");
+  if (status.empty()) return std::nullopt;
+  if (!IsWaitingState(LineOf(status, "\nState:\t"))) return Waits::kNot;
+  if (in_slices) return Waits::kForThreads;
+  const std::string_view runs = LineOf(status, "\nvoluntary_ctxt_switches:\t");
+  if (runs == thread->asleep) return thread->wait;
+  *slept_on = false;
+  thread->asleep = runs;
+  return thread->wait;
+}
+
+WaitingThreads::Answer WaitingThreads::LookAtOthers(const Known& known, bool* slept_on) {
   Waits all = Waits::kForThreads;
+  *slept_on = true;
   for (Thread& thread : threads_) {
     if (thread.id == known.caller || IsIn(known.asleep, thread.id) || IsLeftOut(thread.id)) {
       continue;
     }
-    const Answer answer = LookAt(&thread, IsIn(known.in_slices, thread.id), second);
+    const Answer answer = LookAt(&thread, IsIn(known.in_slices, thread.id), slept_on);
     if (!answer || *answer == Waits::kNot) return answer;
     if (*answer == Waits::kForOutside) all = Waits::kForOutside;
   }
   return all;
 }
 
-// The threads are looked at twice: one that waits both times and has not run in between has waited
-// all the time. So at the instant between the two all of them waited. A thread in slices may have
-// run in between, but only from one slice to the next.
+// Threads that wait when each is looked at need not have waited at one instant: before it waited,
+// one may have woken another, or have begun a thread that was not counted. But one that has slept
+// on since an earlier look has waited all the time. If all have, and are as many as were counted in
+// between, then they waited when they were counted, and there was nobody else. So the first look
+// suffices where an earlier answer has seen them all asleep, and a second one is needed otherwise.
+// A thread in slices may have run in between, but only from one slice to the next.
 Waits WaitingThreads::OthersWait(std::span<const ThreadId> asleep,
                                  std::span<const ThreadId> in_slices) {
   const std::lock_guard lock(mutex_);
   const Known known = {asleep, in_slices, CallingThread()};
-  const size_t count = Count();
-  size_t known_count = asleep.size() + 1;
-  for (const auto& out : left_out) {
-    if (out != 0 && out != known.caller) ++known_count;
-  }
-  if (count != 0 && count <= known_count) return Waits::kForThreads;
-  for (int listing = 0; listing < kListingsOfOneLook; ++listing) {
-    if (listing > 0 || threads_.size() != count) ListThreads();
-    Answer answer = LookAtOthers(known, false);
-    if (!answer) continue;
-    // The first of several may have been woken by the last. A single one waits now.
-    if (*answer != Waits::kNot && count != known_count + 1) answer = LookAtOthers(known, true);
-    if (answer) return *answer;
+  bool one_ended = false;
+  for (int look = 0; look < kLooksOfOneAnswer; ++look) {
+    const size_t count = Count();
+    if (count != 0 && count <= CountKnown(known)) return Waits::kForThreads;
+    if (one_ended || threads_.size() != count) ListThreads();
+    bool slept_on = true;
+    const Answer answer = LookAtOthers(known, &slept_on);
+    if (answer == Waits::kNot) return Waits::kNot;
+    one_ended = !answer.has_value();
+    const bool are_all = count == 0 || threads_.size() == count;
+    if (answer && slept_on && are_all) return *answer;
   }
   return Waits::kNot;
 }

@@ -3,13 +3,12 @@
 //
 // - The number of threads is the number of links of the folder /proc/self/task. If all of them are
 //   known to wait, nothing else is looked at. It counts threads that any library began.
-// - The files of each of the other threads stay open: `syscall` says `running` for a thread that
-//   does not wait, and `schedstat` how often it has run. A thread seen asleep still sleeps while
-//   that number has not changed, and what kind of wait it is in is asked only once.
-// - `syscall` also says in which system call a thread is. One in a futex waits for other threads;
+// - The files of each of the other threads stay open: `stat` says whether it sleeps, and
+//   `schedstat` how often it has run. A thread seen asleep still sleeps while that number has not
+//   changed, and what kind of wait it is in is asked only once.
+// - `syscall` says in which system call a thread sleeps. One in a futex waits for other threads;
 //   any other call, such as the read of a pipe, can be ended by something outside of the process.
-// - Kernels that do not count runs have `status`, which takes three times as long and names no
-//   calls.
+// - Kernels that do not count runs have `status`, which takes twice as long and names no calls.
 //
 // If the host has closed the descriptor of the folder (kept_descriptor.h), all is opened anew.
 //
@@ -56,12 +55,14 @@ class WaitingThreads {
   Work work() const { return work_; }
 
  private:
-  /// The files of a thread; -1: opened for each look.
+  /// The files of a thread, -1: opened for each look; and how it was seen asleep.
   struct Thread {
     ThreadId id = 0;
-    int call = -1;       ///< `syscall`; -1 as well where the kernel does not count runs
-    int runs = -1;       ///< `schedstat`, or `status`
-    std::string asleep;  ///< what `runs` said when the thread was seen asleep
+    int state = -1;                   ///< `stat`, or `status` where the kernel does not count runs
+    int runs = -1;                    ///< `schedstat`
+    int call = -1;                    ///< `syscall`
+    std::string asleep;               ///< its runs at that time; empty: was not seen asleep
+    Waits wait = Waits::kForOutside;  ///< for what it slept
   };
   /// Those of which something is known.
   struct Known {
@@ -74,15 +75,19 @@ class WaitingThreads {
 
   /// The number of threads; 0 if the operating system does not say.
   size_t Count();
+  /// Of how many nothing need be asked: the caller, those asleep and those left out.
+  static size_t CountKnown(const Known& known);
   void OpenFolder();
   void ListThreads();
   void OpenFiles(Thread* thread) const;
   void CloseFiles(const Thread& thread) const;
   void CloseAll();
-  /// Looks at all threads but the known ones. The `second` time they must not have run since the
-  /// first.
-  Answer LookAtOthers(const Known& known, bool second);
-  Answer LookAt(Thread* thread, bool in_slices, bool second);
+  /// Looks at all threads but the known ones. `slept_on`: none has run since an earlier look that
+  /// saw it asleep.
+  Answer LookAtOthers(const Known& known, bool* slept_on);
+  /// Sets `slept_on` to false or leaves it.
+  Answer LookAt(Thread* thread, bool in_slices, bool* slept_on);
+  Answer LookAtStatus(Thread* thread, bool in_slices, bool* slept_on);
   std::string Read(const Thread& thread, int file, const char* name) const;
 
   std::mutex mutex_;  // guards what follows

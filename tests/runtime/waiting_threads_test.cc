@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <semaphore>
 #include <thread>
 #include <vector>
 
@@ -121,13 +122,14 @@ TEST(WaitingThreadsTest, AThreadInSlicesThatWorksDoesNotWaitEither) {
   for (int look = 0; look < 100; ++look) EXPECT_EQ(threads.OthersWait({}, in_slices), Waits::kNot);
 }
 
-TEST(WaitingThreadsTest, AThreadThatGoesOnWaitingIsLookedAtOnceEachTime) {
-  const WaitingThread thread;
+TEST(WaitingThreadsTest, ThreadsThatGoOnWaitingAreLookedAtOnceEachTime) {
+  const WaitingThread one;
+  const WaitingThread other;
   WaitingThreads threads;
   ASSERT_TRUE(WaitInTheEnd(&threads));
   const WaitingThreads::Work before = threads.work();
   for (int look = 0; look < 10; ++look) EXPECT_EQ(threads.OthersWait({}, {}), Waits::kForThreads);
-  EXPECT_EQ(threads.work().looks - before.looks, 10);
+  EXPECT_EQ(threads.work().looks - before.looks, 2 * 10);
   EXPECT_EQ(threads.work().listings, before.listings);
 }
 
@@ -143,6 +145,47 @@ TEST(WaitingThreadsTest, ThreadsThatComeAndGoAreListedAnew) {
   for (int look = 0; look < 100; ++look) EXPECT_EQ(threads.OthersWait({}, {}), Waits::kNot);
   third.StopWorking();
   EXPECT_TRUE(WaitInTheEnd(&threads));
+}
+
+/// How often all threads seemed to wait while `work`, in a thread that is woken for it, was not
+/// done.
+int WrongAnswers(const std::function<void()>& work) {
+  std::atomic<bool> works = false;
+  std::atomic<bool> ends = false;
+  std::binary_semaphore begin(0);
+  std::thread worker([&] {
+    for (begin.acquire(); !ends; begin.acquire()) {
+      work();
+      works = false;
+    }
+  });
+  WaitingThreads threads;
+  int wrong = 0;
+  for (int round = 0; round < 3000; ++round) {
+    works = true;
+    begin.release();
+    while (works) {
+      // If there is still work afterwards, there was some all the time.
+      if (threads.OthersWait({}, {}) != Waits::kNot && works) ++wrong;
+    }
+  }
+  ends = true;
+  begin.release();
+  worker.join();
+  return wrong;
+}
+
+void Compute() {
+  for (int step = 0; step < 50'000; ++step) std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+TEST(WaitingThreadsTest, AThreadThatWasWokenDoesNotWaitBeforeItRuns) {
+  EXPECT_EQ(WrongAnswers(Compute), 0);
+}
+
+// Its parent waits for it; it was not there yet when the threads were counted.
+TEST(WaitingThreadsTest, AThreadThatBeginsDuringTheLookDoesNotWait) {
+  EXPECT_EQ(WrongAnswers([] { std::thread(Compute).join(); }), 0);
 }
 
 TEST(WaitingThreadsTest, AThreadThatIsLeftOutMayWork) {
