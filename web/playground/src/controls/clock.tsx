@@ -1,7 +1,8 @@
 // The clock of the card: its time, what it does in a word, and the moment.
 
 import { type Notice, present, session } from "../session/bench.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 
 type Word = "empty" | "ready" | "running" | "stopped" | "ended" | "failed";
 

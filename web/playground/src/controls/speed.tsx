@@ -9,7 +9,8 @@ import {
   speedAt,
   speeds,
 } from "../store/settings.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 
 export function Speed() {
   const { controls: t } = texts.value;

@@ -3,7 +3,8 @@
 import type { ExploreAnswer, Interleaving } from "@oncard/engine";
 
 import { source } from "../store/source.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import { stopCheck, verdict } from "./checks.js";
 
 /** Scrolls to what was said, where a screen is too low for it. */

@@ -3,7 +3,7 @@
 
 import type { Card, CardPart, Channel } from "@oncard/engine";
 
-import { number } from "../texts/texts.js";
+import { number } from "../texts/number.js";
 
 export interface AxisView {
   axis: number;

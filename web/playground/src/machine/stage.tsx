@@ -2,7 +2,8 @@
 // a dashed one if that is elsewhere. Switches stand at their places. Where there are many axes, each
 // has a row.
 
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import {
   type AxisView,
   placeOn,

@@ -2,7 +2,8 @@
 
 import { present } from "../session/bench.js";
 import { chooseOpening, closeRecord, type OpenRecord } from "../session/record.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 
 export function RecordPanel({ opened }: { opened: OpenRecord }) {
   const { record: t } = texts.value;

@@ -9,7 +9,8 @@ import { bench, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
 import { record } from "../session/record.js";
 import { layout, showLine, showTab, type Tab, tabs } from "../store/layout.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import { TwoColumns } from "./two_columns.js";
 
 export function ValuesPanel() {

@@ -4,7 +4,8 @@
 import { useState } from "preact/hooks";
 
 import { present } from "../session/bench.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import { channelNames, type Setting, unitsOf, unitsPerDivision, valueNow } from "./channels.js";
 import { addChannel, chooseChannel, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";

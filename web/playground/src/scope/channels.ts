@@ -4,7 +4,7 @@
 import type { Card, Channel, Variable } from "@oncard/engine";
 
 import { roundUp } from "../machine/axes.js";
-import { number } from "../texts/texts.js";
+import { number } from "../texts/number.js";
 import type { Sweep } from "./trigger.js";
 
 /** A channel as the reader has set it. */

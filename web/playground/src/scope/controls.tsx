@@ -2,7 +2,8 @@
 
 import type { ComponentChildren } from "preact";
 
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import { arm, type Mode, modes, scope, spans, turnKnobs } from "./settings.js";
 import type { Edge } from "./trigger.js";
 

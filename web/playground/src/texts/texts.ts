@@ -1,4 +1,4 @@
-// The texts of the page in the reader's language, and numbers as people read them.
+// The texts of the page in the reader's language.
 
 import { computed } from "@preact/signals";
 
@@ -7,9 +7,3 @@ import { en } from "./en.js";
 import { zh } from "./zh.js";
 
 export const texts = computed(() => (settings.language.value === "zh" ? zh : en));
-
-/** At most this many digits after the point, without zeros at the end. */
-export function number(value: number, digits = 3): string {
-  const rounded = Number(value.toFixed(digits));
-  return Object.is(rounded, -0) ? "0" : String(rounded);
-}

@@ -13,7 +13,8 @@ import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { seek } from "../session/seeking.js";
 import { chooseUnit, settings, type Unit, units } from "../store/settings.js";
-import { number, texts } from "../texts/texts.js";
+import { number } from "../texts/number.js";
+import { texts } from "../texts/texts.js";
 import {
   type Bar,
   barsOf,
