@@ -11,7 +11,7 @@ import { InterleavingPanel } from "./interleaving/panel.js";
 import { isOpening } from "./lesson/opening.js";
 import { RecordPanel } from "./panel/record.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
-import { MachinePanel } from "./machine/machine.js";
+import { MachinePanel } from "./machine/panel.js";
 import { ValuesPanel } from "./panel/values.js";
 import { ScopePanel } from "./scope/scope.js";
 import { present } from "./session/bench.js";

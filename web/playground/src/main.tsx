@@ -24,6 +24,7 @@ import "./style/tokens.css";
 import "./style/elements.css";
 import "./style/frame.css";
 import "./style/parts.css";
+import "./machine/view.css";
 import "./interleaving/view.css";
 import "./two_columns/view.css";
 

@@ -106,17 +106,19 @@ test("a stage of an axis that has a unit reaches as far as machines do", () => {
   expect(grown(undefined, 330, "mm")).toEqual({ least: 0, largest: 500 });
 });
 
-test("the way of an axis goes on in the direction in which it travels, and turns where it turned", () => {
+test("a way goes on in the direction in which its axes travel, and turns where they turned", () => {
   // Up from 0 to 30, at rest, down to -10, in parts of a trace.
-  const trace = { least: [0, 10, 20, 30, 10, -10], largest: [10, 20, 30, 30, 30, 10] };
-  expect(wayOf(trace)).toEqual([10, 20, 30, 30, 10, -10]);
-  expect(wayOf({ least: [], largest: [] })).toEqual([]);
+  const x = { least: [0, 10, 20, 30, 10, -10], largest: [10, 20, 30, 30, 30, 10] };
+  const y = { least: [5, 5, 5, 5, 5, 5], largest: [5, 5, 5, 5, 5, 5] };
+  expect(wayOf([x, y]).map(([at]) => at)).toEqual([10, 20, 30, 30, 10, -10]);
+  expect(wayOf([y, x])[4]).toEqual([5, 10]);
+  expect(wayOf([x])).toEqual([]);
 });
 
 test("two axes on a straight line in opposite directions stay on it", () => {
-  const xs = wayOf({ least: [0, 10, 20], largest: [10, 20, 30] });
-  const ys = wayOf({ least: [20, 10, 0], largest: [30, 20, 10] });
-  expect(xs.map((x, index) => x + (ys[index] ?? NaN))).toEqual([30, 30, 30]);
+  const x = { least: [0, 10, 20], largest: [10, 20, 30] };
+  const y = { least: [20, 10, 0], largest: [30, 20, 10] };
+  expect(wayOf([x, y]).map(([left, top]) => left + top)).toEqual([30, 30, 30]);
 });
 
 test("a trail is one way in parts, which are the darker the younger they are", () => {

@@ -129,12 +129,25 @@ export function positionText(axis: AxisView): string {
   return `${positionNumber(axis)} ${axis.positionUnit}`;
 }
 
+/** Of each part of a trace the least and the largest value. */
+type Range = Pick<Channel, "least" | "largest">;
+
+/** A place on the table of two axes. */
+export type Place = readonly [x: number, y: number];
+
+/** The way of two axes, one place for each part of their traces. */
+export function wayOf([x, y]: readonly Range[]): Place[] {
+  if (!x || !y) return [];
+  const tops = positionsOf(y);
+  return positionsOf(x).map((value, index) => [value, tops[index] ?? 0]);
+}
+
 /**
- * The way of an axis, one position for each part of a trace: the end of what it travelled there, which
+ * The positions of an axis, one for each part of its trace: the end of what it travelled there, which
  * is the one further away from where it was before. Both axes of a table then are where they were at the
  * same time, and straight lines are straight.
  */
-export function wayOf({ least, largest }: Pick<Channel, "least" | "largest">): number[] {
+function positionsOf({ least, largest }: Range): number[] {
   const [first = 0, second = first] = least;
   let before = second < first ? (largest[0] ?? first) : first;
   return largest.map((high, index) => {

@@ -2,11 +2,19 @@
 
 import type { CardWord } from "@oncard/engine";
 
-import { bench } from "../session/bench.js";
-import { texts } from "../texts/texts.js";
+import type { MachineWords } from "../texts/machine.js";
 
-export function Pins({ word, pins }: { word: CardWord; pins: number }) {
-  const { machine: t } = texts.value;
+/** Gives an input another level; pins count from 1. */
+export type SetInput = (word: string, pin: number, level: number) => void;
+
+interface PinsProps {
+  word: CardWord;
+  pins: number;
+  words: MachineWords;
+  onInput: SetInput;
+}
+
+export function Pins({ word, pins, words, onInput }: PinsProps) {
   const numbers = Array.from({ length: pins }, (_, index) => index + 1);
   const level = (pin: number) => (word.value >> (pin - 1)) & 1;
   return (
@@ -17,7 +25,7 @@ export function Pins({ word, pins }: { word: CardWord; pins: number }) {
             key={pin}
             class={`pin lamp ${level(pin) ? "on" : ""}`}
             role="img"
-            aria-label={t.output(pin, level(pin))}
+            aria-label={words.output(pin, level(pin))}
           >
             {pin}
           </span>
@@ -27,8 +35,10 @@ export function Pins({ word, pins }: { word: CardWord; pins: number }) {
             type="button"
             class="pin"
             aria-pressed={level(pin) === 1}
-            aria-label={t.input(word.name, pin)}
-            onClick={() => void bench.setInput(word.name, pin, 1 - level(pin))}
+            aria-label={words.input(word.name, pin)}
+            onClick={() => {
+              onInput(word.name, pin, 1 - level(pin));
+            }}
           >
             {pin}
           </button>

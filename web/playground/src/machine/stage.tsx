@@ -2,8 +2,8 @@
 // a dashed one if that is elsewhere. Switches stand at their places. Where there are many axes, each
 // has a row.
 
+import type { MachineWords } from "../texts/machine.js";
 import { number } from "../texts/number.js";
-import { texts } from "../texts/texts.js";
 import {
   type AxisView,
   placeOn,
@@ -20,15 +20,14 @@ const right = width - 42;
 const marks = Array.from({ length: 11 }, (_, index) => index / 10);
 
 /** States of an axis in words, each with its tone. */
-function statesOf(axis: AxisView): [string, string][] {
-  const { machine: t } = texts.value;
+function statesOf(axis: AxisView, words: MachineWords): [string, string][] {
   return [
-    [axis.servoOn ? t.servo : t.off, axis.servoOn ? "good" : ""],
-    ...(axis.moving ? ([[t.moving, "now"]] as [string, string][]) : []),
-    ...(axis.alarm ? ([[t.alarm, "bad"]] as [string, string][]) : []),
-    ...(axis.followingError ? ([[t.followingError, "bad"]] as [string, string][]) : []),
-    ...(axis.positiveLimit ? ([[t.positiveOn, "bad"]] as [string, string][]) : []),
-    ...(axis.negativeLimit ? ([[t.negativeOn, "bad"]] as [string, string][]) : []),
+    [axis.servoOn ? words.servo : words.off, axis.servoOn ? "good" : ""],
+    ...(axis.moving ? ([[words.moving, "now"]] as [string, string][]) : []),
+    ...(axis.alarm ? ([[words.alarm, "bad"]] as [string, string][]) : []),
+    ...(axis.followingError ? ([[words.followingError, "bad"]] as [string, string][]) : []),
+    ...(axis.positiveLimit ? ([[words.positiveOn, "bad"]] as [string, string][]) : []),
+    ...(axis.negativeLimit ? ([[words.negativeOn, "bad"]] as [string, string][]) : []),
   ];
 }
 
@@ -47,9 +46,9 @@ function Readings({ axis }: { axis: AxisView }) {
   );
 }
 
-function labelOf(axis: AxisView): string {
+function labelOf(axis: AxisView, words: MachineWords): string {
   const velocity = `${number(axis.velocity, 2)} ${axis.velocityUnit}`;
-  return texts.value.machine.stage(axis.axis, positionText(axis), velocity);
+  return words.stage(axis.axis, positionText(axis), velocity);
 }
 
 function colourOf(axis: number): string {
@@ -61,8 +60,13 @@ function isApart(axis: AxisView, reach: Reach): boolean {
   return Math.abs(placeOn(reach, axis.position) - placeOn(reach, axis.actual)) > 0.002;
 }
 
-export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
-  const { machine: t } = texts.value;
+interface AxisProps {
+  axis: AxisView;
+  reach: Reach;
+  words: MachineWords;
+}
+
+export function Stage({ axis, reach, words }: AxisProps) {
   const onRail = (position: number) => left + placeOn(reach, position) * (right - left);
   const at = onRail(axis.actual);
   const commanded = onRail(axis.position);
@@ -72,8 +76,8 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
   return (
     <div class={`stage ${colourOf(axis.axis)}`}>
       <div class="row">
-        <strong>{t.axis(axis.axis)}</strong>
-        {statesOf(axis).map(([text, kind]) => (
+        <strong>{words.axis(axis.axis)}</strong>
+        {statesOf(axis, words).map(([text, kind]) => (
           <span key={text} class={`tag ${kind}`}>
             {text}
           </span>
@@ -81,7 +85,7 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
         <span class="grow" />
         <Readings axis={axis} />
       </div>
-      <svg viewBox={`0 0 ${width} 64`} role="img" aria-label={labelOf(axis)} class="rail">
+      <svg viewBox={`0 0 ${width} 64`} role="img" aria-label={labelOf(axis, words)} class="rail">
         <rect x="2" y="14" width="24" height="24" rx="3" class="motor" />
         <rect x="26" y="21" width="6" height="10" class="rail-bed" />
         <line
@@ -110,7 +114,7 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
         })}
         {axis.switches.map(({ type, place, on }) => (
           <g key={type} class={`switch ${on ? "on" : ""}`}>
-            <title>{t.switches[type] ?? type}</title>
+            <title>{words.switches[type] ?? type}</title>
             <line x1={onRail(place)} x2={onRail(place)} y1="12" y2="34" />
             <rect x={onRail(place) - 4} y="4" width="8" height="8" rx="2" />
           </g>
@@ -133,15 +137,19 @@ export function Stage({ axis, reach }: { axis: AxisView; reach: Reach }) {
 }
 
 /** The same in one row: the last state, and a rail as wide as there is place. */
-export function AxisRow({ axis, reach }: { axis: AxisView; reach: Reach }) {
-  const { machine: t } = texts.value;
+export function AxisRow({ axis, reach, words }: AxisProps) {
   const onRail = (position: number) => 6 + placeOn(reach, position) * 188;
-  const [state = "", kind = ""] = statesOf(axis).at(-1) ?? [];
+  const [state = "", kind = ""] = statesOf(axis, words).at(-1) ?? [];
   return (
     <div class={`axis-row ${colourOf(axis.axis)}`}>
-      <strong>{t.axis(axis.axis)}</strong>
+      <strong>{words.axis(axis.axis)}</strong>
       <span class={`axis-state ${kind}`}>{state}</span>
-      <svg viewBox="0 0 200 16" preserveAspectRatio="none" role="img" aria-label={labelOf(axis)}>
+      <svg
+        viewBox="0 0 200 16"
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={labelOf(axis, words)}
+      >
         <rect x="0" y="6.500" width="200" height="3" class="rail-bed" />
         <rect x={onRail(axis.actual) - 5} y="2" width="10" height="12" class="carriage" />
         {isApart(axis, reach) && (

@@ -1,6 +1,7 @@
 // The texts of the page in English. zh.ts has the same in Chinese.
 
 import { interleaving } from "./interleaving.js";
+import { machine } from "./machine.js";
 import { twoColumns } from "./two_columns.js";
 
 export const en = {
@@ -160,32 +161,7 @@ export const en = {
     sources: "Motion programs of the host",
   },
 
-  machine: {
-    stage: (axis: number, position: string, velocity: string) =>
-      `Axis ${axis}: position ${position}, velocity ${velocity}`,
-    axis: (axis: number) => `Axis ${axis}`,
-    off: "off",
-    servo: "servo on",
-    moving: "moving",
-    alarm: "alarm",
-    followingError: "following error",
-    positiveOn: "positive limit",
-    negativeOn: "negative limit",
-    switches: {
-      limit_positive: "positive limit switch",
-      limit_negative: "negative limit switch",
-      home: "home switch",
-    } as Record<string, string>,
-    table: "XY table",
-    tableLabel: (x: string, y: string) => `XY table at ${x}, ${y}`,
-    tableAxes: (x: number, y: number) => `axes ${x} and ${y}`,
-    outputs: "Outputs",
-    inputs: "Inputs",
-    input: (kind: string, pin: number) => `Input ${kind} ${pin}`,
-    output: (pin: number, level: number) => `Output ${pin}: ${level}`,
-    moreInputs: "all inputs",
-    idle: "Load a program: its axes are shown here.",
-  },
+  machine: machine.en,
 
   timeline: {
     label: "Timeline of the threads",

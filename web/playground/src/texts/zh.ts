@@ -2,6 +2,7 @@
 
 import type { Texts } from "./en.js";
 import { interleaving } from "./interleaving.js";
+import { machine } from "./machine.js";
 import { twoColumns } from "./two_columns.js";
 
 export const zh: Texts = {
@@ -156,31 +157,7 @@ export const zh: Texts = {
     sources: "主机的运动程序",
   },
 
-  machine: {
-    stage: (axis, position, velocity) => `轴 ${axis}：位置 ${position}，速度 ${velocity}`,
-    axis: (axis) => `轴 ${axis}`,
-    off: "未使能",
-    servo: "伺服使能",
-    moving: "运动中",
-    alarm: "报警",
-    followingError: "跟随误差越限",
-    positiveOn: "正限位",
-    negativeOn: "负限位",
-    switches: {
-      limit_positive: "正限位开关",
-      limit_negative: "负限位开关",
-      home: "原点开关",
-    },
-    table: "XY 平台",
-    tableLabel: (x, y) => `XY 平台位于 ${x}, ${y}`,
-    tableAxes: (x, y) => `轴 ${x} 和轴 ${y}`,
-    outputs: "输出",
-    inputs: "输入",
-    input: (kind, pin) => `输入 ${kind} ${pin}`,
-    output: (pin, level) => `输出 ${pin}：${level}`,
-    moreInputs: "全部输入",
-    idle: "装载程序后，此处显示它的轴。",
-  },
+  machine: machine.zh,
 
   timeline: {
     label: "线程的时间线",

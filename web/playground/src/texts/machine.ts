@@ -1,0 +1,58 @@
+// What is said about the machine, by the page and by the extension for Visual Studio Code.
+
+const en = {
+  stage: (axis: number, position: string, velocity: string) =>
+    `Axis ${axis}: position ${position}, velocity ${velocity}`,
+  axis: (axis: number) => `Axis ${axis}`,
+  off: "off",
+  servo: "servo on",
+  moving: "moving",
+  alarm: "alarm",
+  followingError: "following error",
+  positiveOn: "positive limit",
+  negativeOn: "negative limit",
+  switches: {
+    limit_positive: "positive limit switch",
+    limit_negative: "negative limit switch",
+    home: "home switch",
+  } as Record<string, string>,
+  table: "XY table",
+  tableLabel: (x: string, y: string) => `XY table at ${x}, ${y}`,
+  tableAxes: (x: number, y: number) => `axes ${x} and ${y}`,
+  outputs: "Outputs",
+  inputs: "Inputs",
+  input: (kind: string, pin: number) => `Input ${kind} ${pin}`,
+  output: (pin: number, level: number) => `Output ${pin}: ${level}`,
+  moreInputs: "all inputs",
+  idle: "Load a program: its axes are shown here.",
+};
+
+export type MachineWords = typeof en;
+
+const zh: MachineWords = {
+  stage: (axis, position, velocity) => `轴 ${axis}：位置 ${position}，速度 ${velocity}`,
+  axis: (axis) => `轴 ${axis}`,
+  off: "未使能",
+  servo: "伺服使能",
+  moving: "运动中",
+  alarm: "报警",
+  followingError: "跟随误差越限",
+  positiveOn: "正限位",
+  negativeOn: "负限位",
+  switches: {
+    limit_positive: "正限位开关",
+    limit_negative: "负限位开关",
+    home: "原点开关",
+  },
+  table: "XY 平台",
+  tableLabel: (x, y) => `XY 平台位于 ${x}, ${y}`,
+  tableAxes: (x, y) => `轴 ${x} 和轴 ${y}`,
+  outputs: "输出",
+  inputs: "输入",
+  input: (kind, pin) => `输入 ${kind} ${pin}`,
+  output: (pin, level) => `输出 ${pin}：${level}`,
+  moreInputs: "全部输入",
+  idle: "装载程序后，此处显示它的轴。",
+};
+
+export const machine = { en, zh };
