@@ -11,8 +11,6 @@ test("a run stops at the breakpoints, which are set beside the lines", async ({ 
   await openOwn(page);
   await write(page, counting);
   await expect(page.getByText("No messages")).toBeVisible();
-  // What says so takes a row above the program.
-  await expect(page.getByText("The program was edited")).toHaveCount(0);
   const besides = async (line: number) => {
     const text = await page
       .locator(".cm-line")
@@ -43,6 +41,34 @@ test("a run stops at the breakpoints, which are set beside the lines", async ({ 
   await expect(list).toHaveCount(0);
   await run.click();
   await expect(status(page)).toHaveText("Card: finished.");
+});
+
+// A page that moves under the pointer loses clicks.
+test("nothing moves while somebody types", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await page.evaluate(() => {
+    const bar = document.querySelector("#program .bar");
+    const words = document.querySelector(".clock-word");
+    const seen = { places: new Set<string>(), words: new Set<string>() };
+    Object.assign(window, { seen });
+    const look = () => {
+      const { x, y } = bar?.getBoundingClientRect() ?? { x: 0, y: 0 };
+      seen.places.add(`${x} ${y}`);
+      seen.words.add(words?.textContent.split(" ")[0] ?? "");
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  const seen = (what: "places" | "words") =>
+    page.evaluate((name) => {
+      const { seen: all } = window as unknown as { seen: Record<typeof name, Set<string>> };
+      return [...all[name]];
+    }, what);
+  await write(page, counting);
+  await expect.poll(() => seen("words")).toEqual(["ready", "edited"]);
+  await expect(page.locator(".clock-word")).toHaveText(/^ready/);
+  expect(await seen("places")).toHaveLength(1);
 });
 
 test("a click at the number of a line sets its breakpoint", async ({ page }) => {

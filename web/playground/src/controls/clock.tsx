@@ -1,14 +1,17 @@
 // The clock of the card: its time, what it does in a word, and the moment.
 
 import { type Notice, present, session } from "../session/bench.js";
+import { isEdited } from "../session/on_card.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 
-type Word = "empty" | "ready" | "running" | "stopped" | "ended" | "failed";
+type Word = "empty" | "ready" | "edited" | "running" | "stopped" | "ended" | "failed";
 
 function wordOf(notice: Notice): Word {
   if (!present.state.value) return "empty";
   if (notice.kind === "running") return "running";
+  // Said here: a line that comes and goes while somebody types would move the whole page.
+  if (isEdited.value) return "edited";
   if (notice.kind !== "stopped") return "ready";
   const { reason, failed = [] } = notice.stop;
   if (["fault", "refusal", "requirement", "deviation"].includes(reason)) return "failed";
@@ -33,7 +36,7 @@ export function Clock() {
         <strong>
           {number(state?.time_ms ?? 0)} <small>ms</small>
         </strong>
-        <span class="clock-word">
+        <span class="clock-word" title={word === "edited" ? t.edited : undefined}>
           {t.words[word]}
           {state && <span class="clock-moment"> · {t.moment(state.moment, state.head)}</span>}
         </span>

@@ -4,7 +4,6 @@
 import type { Stop } from "@oncard/engine";
 
 import { type Notice, present, session } from "../session/bench.js";
-import { isEdited } from "../session/on_card.js";
 import { lineOfCondition } from "../session/required.js";
 import { keeps } from "../store/keep.js";
 import { showWarnings } from "../store/layout.js";
@@ -106,7 +105,6 @@ export function StatusLine() {
       >
         {text}
       </span>
-      {isEdited.value && state && <span class="tag">{t.edited}</span>}
       <span aria-live="polite">
         {warnings > 0 && (
           <button type="button" class="tag warning" onClick={showWarnings}>

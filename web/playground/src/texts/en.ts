@@ -78,11 +78,13 @@ export const en = {
     words: {
       empty: "empty",
       ready: "ready",
+      edited: "edited",
       running: "running",
       stopped: "stopped",
       ended: "at the end",
       failed: "failed",
     },
+    edited: "The program was edited: it is loaded anew when it runs.",
     moment: (moment: number, head: number) => `moment ${moment} of ${head}`,
   },
   status: {
@@ -108,7 +110,6 @@ export const en = {
     stoppedAt: "Stopped.",
     notCompiled: "The program has errors; nothing is on the card.",
     keptBefore: "The program has errors; the one before is still on the card.",
-    edited: "The program was edited: it is loaded anew when it runs.",
     follows: "A recording is being followed.",
     choice: (what: string) => `choice: ${what}`,
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),

@@ -79,11 +79,13 @@ export const zh: Texts = {
     words: {
       empty: "空",
       ready: "就绪",
+      edited: "已修改",
       running: "运行中",
       stopped: "已停住",
       ended: "已到结束",
       failed: "失败",
     },
+    edited: "程序已修改，运行时会重新装载。",
     moment: (moment, head) => `第 ${moment} 时刻，共 ${head}`,
   },
   status: {
@@ -108,7 +110,6 @@ export const zh: Texts = {
     stoppedAt: "已停止。",
     notCompiled: "程序有错误，卡上没有程序。",
     keptBefore: "程序有错误，卡上仍是之前的程序。",
-    edited: "程序已修改，运行时会重新装载。",
     follows: "正在按录制运行。",
     choice: (what) => `选择：${what}`,
     warnings: (count) => `${count} 条警告`,
