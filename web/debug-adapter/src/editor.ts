@@ -18,6 +18,8 @@ export interface Wire {
 
 export class Editor {
   language: Language = "en";
+  /** It wants to know what has changed without its doing. */
+  takesInvalidated = false;
   readonly #wire: Wire;
 
   constructor(wire: Wire) {

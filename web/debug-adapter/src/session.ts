@@ -16,6 +16,7 @@ import { evaluate, setExpression, setVariable } from "./evaluation.js";
 import { readConfig } from "./launch.js";
 import { hostThread, toLastCall, toNextCall } from "./host.js";
 import { launch, type Launched, notLaunched, threadOf } from "./launched.js";
+import { machineRequests } from "./machine.js";
 import { readMemory } from "./memory.js";
 import { Mover } from "./mover.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
@@ -70,6 +71,7 @@ export class OncardSession extends DebugSession {
     args: DebugProtocol.InitializeRequestArguments,
   ): void {
     this.#editor.language = languageOf(args.locale);
+    this.#editor.takesInvalidated = args.supportsInvalidatedEvent ?? false;
     response.body = capabilities(this.#editor);
     this.sendResponse(response);
   }
@@ -465,6 +467,21 @@ export class OncardSession extends DebugSession {
   ): void {
     this.#editor.answer(response, async () => {
       response.body = await readMemory(this.#now().engine, args);
+    });
+  }
+
+  protected override customRequest(
+    command: string,
+    response: DebugProtocol.Response,
+    args: unknown,
+  ): void {
+    const request = machineRequests.get(command);
+    if (!request) {
+      super.customRequest(command, response, args);
+      return;
+    }
+    this.#editor.answer(response, async () => {
+      response.body = await request(this.#now(), (args ?? {}) as never, this.#editor);
     });
   }
 

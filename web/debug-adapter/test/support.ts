@@ -77,8 +77,12 @@ export class Editor {
   }
 
   /** Initializes, launches and stands where breakpoints are set. */
-  async launch(program: string, config: Record<string, unknown> = {}): Promise<void> {
-    await this.initialize();
+  async launch(
+    program: string,
+    config: Record<string, unknown> = {},
+    client: Record<string, unknown> = {},
+  ): Promise<void> {
+    await this.initialize(client);
     // Together: nobody waits for the event any longer when the request fails.
     await Promise.all([
       this.client.waitForEvent("initialized"),
