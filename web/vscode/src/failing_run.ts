@@ -6,22 +6,14 @@ import { writeFile } from "node:fs/promises";
 import { basename, dirname, join, parse } from "node:path";
 
 import type { Interleaving } from "@oncard/engine";
-import {
-  commands,
-  debug,
-  type DebugSession,
-  type Disposable,
-  Uri,
-  ViewColumn,
-  type WebviewPanel,
-  window,
-} from "vscode";
+import { commands, type DebugSession, type Disposable, type WebviewPanel, window } from "vscode";
 
 import { execute, inConsole, startDebugging } from "./debug";
 import type { Engines } from "./engines";
 import type { FromView, ToView } from "./failing_run_messages";
+import type { Follower } from "./sessions";
 import { language, say } from "./texts";
-import { viewPage } from "./view_page";
+import { openView } from "./views";
 
 export interface FailingRun {
   /** The program or scenario that was explored. */
@@ -42,8 +34,8 @@ function scheduleOf(main: string): string {
   return join(dirname(main), `${parse(main).name}.schedule`);
 }
 
-export class FailingRunPanel {
-  readonly #folder: Uri;
+export class FailingRunPanel implements Follower, Disposable {
+  readonly #folder: string;
   #panel: WebviewPanel | undefined;
   #run: FailingRun | undefined;
   /** It follows the run. */
@@ -51,32 +43,27 @@ export class FailingRunPanel {
   #now: number | null = null;
 
   constructor(engines: Engines) {
-    this.#folder = Uri.file(engines.viewFolder);
+    this.#folder = engines.viewFolder;
   }
 
-  register(): Disposable[] {
-    return [
-      {
-        dispose: () => {
-          this.#panel?.dispose();
-        },
-      },
-      debug.registerDebugAdapterTrackerFactory("oncard", {
-        createDebugAdapterTracker: (session) => {
-          if (this.#run && session.configuration["program"] === scheduleOf(this.#run.main)) {
-            this.#session = session;
-          }
-          return {
-            onDidSendMessage: ({ type, event }: { type: string; event?: string }) => {
-              if (type === "event" && event === "stopped") void this.#follow(session);
-            },
-            onWillStopSession: () => {
-              this.#leave(session);
-            },
-          };
-        },
-      }),
-    ];
+  dispose(): void {
+    this.#panel?.dispose();
+  }
+
+  began(session: DebugSession): void {
+    if (this.#run && session.configuration["program"] === scheduleOf(this.#run.main)) {
+      this.#session = session;
+    }
+  }
+
+  moved(session: DebugSession): void {
+    void this.#follow(session);
+  }
+
+  ended(session: DebugSession): void {
+    if (session !== this.#session) return;
+    this.#session = undefined;
+    this.#stand(null);
   }
 
   show(run: FailingRun): void {
@@ -92,12 +79,7 @@ export class FailingRunPanel {
   }
 
   #opened(): WebviewPanel {
-    const panel = window.createWebviewPanel(
-      "oncard.failingRun",
-      "",
-      { viewColumn: ViewColumn.Beside, preserveFocus: true },
-      { enableScripts: true, localResourceRoots: [this.#folder] },
-    );
+    const panel = openView(this.#folder, "failing_run");
     panel.webview.onDidReceiveMessage((message: FromView) => {
       if (message === "ready") {
         this.#send();
@@ -112,7 +94,6 @@ export class FailingRunPanel {
       this.#run = undefined;
       this.#session = undefined;
     });
-    panel.webview.html = viewPage(panel.webview, this.#folder, "failing_run");
     return panel;
   }
 
@@ -146,14 +127,8 @@ export class FailingRunPanel {
       const now = Number(await inConsole(session, "statement")) - skipped;
       if (session === this.#session) this.#stand(now < 0 ? null : now);
     } catch {
-      this.#leave(session); // it has ended meanwhile
+      this.ended(session); // meanwhile
     }
-  }
-
-  #leave(session: DebugSession): void {
-    if (session !== this.#session) return;
-    this.#session = undefined;
-    this.#stand(null);
   }
 
   #stand(now: number | null): void {

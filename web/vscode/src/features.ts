@@ -10,6 +10,7 @@ import { FailingRunPanel } from "./failing_run";
 import { registerLenses } from "./lenses";
 import { registerListing } from "./listing";
 import { registerTests } from "./scenario_tests";
+import { followSessions } from "./sessions";
 import { registerTasks } from "./tasks";
 import { registerTwoColumns } from "./two_columns";
 
@@ -19,7 +20,8 @@ export function registerFeatures(engines: Engines): Disposable[] {
   return [
     output,
     ...registerDebug(engines),
-    ...failingRun.register(),
+    failingRun,
+    followSessions([failingRun]),
     ...registerCommands(engines, output, failingRun),
     ...registerListing(engines),
     ...registerTwoColumns(engines),

@@ -13,17 +13,18 @@ import {
   type TextDocument,
   type TextEditor,
   Uri,
-  ViewColumn,
+  type ViewColumn,
   type WebviewPanel,
   window,
   workspace,
 } from "vscode";
 
+import { oneAtATime } from "./asking";
 import { mainOf, projectOf } from "./documents";
 import type { Engines } from "./engines";
 import { language, say } from "./texts";
 import type { FromView, Place, ToView } from "./two_columns_messages";
-import { viewPage } from "./view_page";
+import { openView } from "./views";
 
 export function registerTwoColumns(engines: Engines): Disposable[] {
   let panel: TwoColumnsPanel | undefined;
@@ -48,20 +49,12 @@ class TwoColumnsPanel {
   #column: ViewColumn | undefined;
   #shown: Shown | undefined;
   #chosen: Place | undefined;
-  #isAsking = false;
-  /** Something has changed since the last question. */
-  #isStale = false;
+  readonly #ask = oneAtATime(() => this.#askOnce());
 
   constructor(engines: Engines, onClosed: () => void) {
     this.#engines = engines;
-    const folder = Uri.file(engines.viewFolder);
-    this.#panel = window.createWebviewPanel(
-      "oncard.twoColumns",
-      say({ en: "C beside card code", zh: "C 与卡代码" }),
-      { viewColumn: ViewColumn.Beside, preserveFocus: true },
-      { enableScripts: true, localResourceRoots: [folder] },
-    );
-    const { webview } = this.#panel;
+    const title = say({ en: "C beside card code", zh: "C 与卡代码" });
+    this.#panel = openView(engines.viewFolder, "two_columns", title);
     const watched = [
       window.onDidChangeActiveTextEditor((editor) => {
         this.#follow(editor);
@@ -73,7 +66,7 @@ class TwoColumnsPanel {
       workspace.onDidChangeTextDocument(({ document }) => {
         if (document.uri.scheme === "file") this.#ask();
       }),
-      webview.onDidReceiveMessage((message: FromView) => {
+      this.#panel.webview.onDidReceiveMessage((message: FromView) => {
         if (message === "ready") this.#send();
         else void this.#showLine(message);
       }),
@@ -85,7 +78,6 @@ class TwoColumnsPanel {
       onClosed();
     });
     this.#follow(window.activeTextEditor);
-    webview.html = viewPage(webview, folder, "two_columns");
   }
 
   show(): void {
@@ -111,22 +103,12 @@ class TwoColumnsPanel {
     this.#post({ chosen: this.#chosen });
   }
 
-  /** One question at a time: what has changed meanwhile is asked once, after the answer. */
-  #ask(): void {
-    this.#isStale = true;
-    if (!this.#isAsking) void this.#askUntilFresh();
-  }
-
-  async #askUntilFresh(): Promise<void> {
-    this.#isAsking = true;
-    while (this.#isStale && this.#document) {
-      this.#isStale = false;
-      const document = this.#document;
-      const answer = await this.#answerAbout(document);
-      this.#shown = shownAfter(this.#shown, document.uri.toString(), answer);
-      this.#send();
-    }
-    this.#isAsking = false;
+  async #askOnce(): Promise<void> {
+    const document = this.#document;
+    if (!document) return;
+    const answer = await this.#answerAbout(document);
+    this.#shown = shownAfter(this.#shown, document.uri.toString(), answer);
+    this.#send();
   }
 
   /** Nothing if there is none. */
