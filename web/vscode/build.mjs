@@ -47,7 +47,11 @@ const programs = await build({
 // What panels show are pages in the editor.
 const views = await build({
   ...common,
-  entryPoints: { failing_run: "view/failing_run.tsx", two_columns: "view/two_columns.tsx" },
+  entryPoints: {
+    failing_run: "view/failing_run.tsx",
+    machine: "view/machine.tsx",
+    two_columns: "view/two_columns.tsx",
+  },
   format: "iife",
   target: "es2022",
   jsx: "automatic",

@@ -7,6 +7,7 @@ import { expect, type Locator, type Page, test } from "@playwright/test";
 
 const work = fileURLToPath(new URL("../dist/e2e-editor/work", import.meta.url));
 const lost = fileURLToPath(new URL("../dist/e2e-editor/lost", import.meta.url));
+const star = fileURLToPath(new URL("../dist/e2e-editor/star", import.meta.url));
 const search = fileURLToPath(new URL("node_modules/@vscode/ripgrep/bin/rg", import.meta.url));
 
 /** Puts the cursor at the end of a line. */
@@ -162,6 +163,37 @@ test("a failing run leads to its steps in the debugger, and follows it", async (
     await expect(view.locator("tr.now")).toHaveCount(1);
     await page.getByRole("button", { name: /^Stop/ }).click();
     await expect(view.locator("tr.now")).toHaveCount(0);
+  });
+});
+
+test("the machine follows the debugger, and its inputs can be switched", async ({ page }) => {
+  await page.goto(`./?folder=${star}`);
+  await page.getByRole("treeitem", { name: "star.toml" }).dblclick();
+  await choose(page, "debug", page.locator(".debug-toolbar"));
+  await page.getByRole("button", { name: "Show the Machine" }).click();
+  const view = page.frameLocator("iframe.webview").frameLocator("#active-frame");
+  const input = view.getByRole("button", { name: "Input gpi 1", exact: true });
+  await expect(view.getByRole("img", { name: /^Axis 1: position 0 pulse/ })).toBeVisible();
+
+  await test.step("an input is switched", async () => {
+    await input.click();
+    // It passes the card's filter.
+    await expect(async () => {
+      await page.getByRole("button", { name: /^Step Out/ }).click();
+      await expect(input).toHaveAttribute("aria-pressed", "true", { timeout: 500 });
+    }).toPass();
+  });
+
+  await test.step("at the end of the run the star is drawn", async () => {
+    await page.getByRole("button", { name: /^Continue/ }).click();
+    const table = view.getByRole("img", { name: /^XY table at 31\d\d.* pulse, 13\d\d.* pulse$/ });
+    // It ends where it began, after a long way in all its shades.
+    await expect(table.locator("polyline.way")).toHaveCount(8);
+  });
+
+  await test.step("afterwards there is no machine", async () => {
+    await page.getByRole("button", { name: /^Stop/ }).click();
+    await expect(view.getByText("Debug a program: its axes are shown here.")).toBeVisible();
   });
 });
 

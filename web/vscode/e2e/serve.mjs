@@ -1,6 +1,7 @@
 // Visual Studio Code for browsers with the packed extension, for the tests.
 //   node serve.mjs VSIX PORT FOLDER    installs and serves; FOLDER, which is emptied first, has what
-//                                      the editor keeps, and in `work` and `lost` the folders that it opens
+//                                      the editor keeps, and in `work`, `lost` and `star` the folders that
+//                                      it opens
 // Its server is that of code-server. Two of its native modules have substitutes: nothing is built.
 
 import { spawn, spawnSync } from "node:child_process";
@@ -56,6 +57,7 @@ rmSync(kept, { recursive: true, force: true });
 cpSync(join(samples, "01_sum"), join(kept, "work"), { recursive: true });
 cpSync(join(samples, "02_loops/structured.c"), join(kept, "work/structured.c"));
 cpSync(join(samples, "26_lost_update"), join(kept, "lost"), { recursive: true });
+cpSync(join(samples, "53_star"), join(kept, "star"), { recursive: true });
 const settings = { "security.workspace.trust.enabled": false, "workbench.startupEditor": "none" };
 mkdirSync(join(kept, "data/User"), { recursive: true });
 writeFileSync(join(kept, "data/User/settings.json"), JSON.stringify(settings));

@@ -9,6 +9,7 @@ import type { Engines } from "./engines";
 import { FailingRunPanel } from "./failing_run";
 import { registerLenses } from "./lenses";
 import { registerListing } from "./listing";
+import { MachinePanel } from "./machine";
 import { registerTests } from "./scenario_tests";
 import { followSessions } from "./sessions";
 import { registerTasks } from "./tasks";
@@ -17,11 +18,13 @@ import { registerTwoColumns } from "./two_columns";
 export function registerFeatures(engines: Engines): Disposable[] {
   const output = window.createOutputChannel("oncard");
   const failingRun = new FailingRunPanel(engines);
+  const machine = new MachinePanel(engines);
   return [
     output,
     ...registerDebug(engines),
     failingRun,
-    followSessions([failingRun]),
+    ...machine.register(),
+    followSessions([failingRun, machine]),
     ...registerCommands(engines, output, failingRun),
     ...registerListing(engines),
     ...registerTwoColumns(engines),

@@ -38,6 +38,7 @@ import {
 import { Engines } from "../src/engines";
 import { registerFeatures } from "../src/features";
 import type { ToView as ToFailingRun } from "../src/failing_run_messages";
+import type { ToView as ToMachine } from "../src/machine_messages";
 import type { ToView } from "../src/two_columns_messages";
 import {
   type CustomExecution,
@@ -346,6 +347,73 @@ describe.skipIf(withoutModule)("the package", () => {
     await vi.waitFor(() => {
       expect(editor.shown.at(-1)).toMatch(/^EISDIR: /);
     });
+  });
+
+  test("the machine follows the debugger, and its inputs can be switched", async () => {
+    registerFeatures(new Engines(installed));
+    await editor.commands.get("oncard.showMachine")?.();
+    const [panel] = editor.panels;
+    if (!panel) throw new Error("there is no panel");
+    onTestFinished(() => {
+      panel.dispose();
+    });
+    panel.received.fire("ready");
+    const sent = panel.sent as ToMachine[];
+    expect(sent.at(-1)).toMatchObject({
+      machine: null,
+      idle: "Debug a program: its axes are shown here.",
+    });
+
+    const tracker = provider<{ createDebugAdapterTracker(session: object): Tracker }>("tracker");
+    const own = tracker.createDebugAdapterTracker(session);
+    const axis = (number: number, value: number) => ({
+      part: "axis",
+      number,
+      values: [{ name: "prfPos", path: `axis${number}.prfPos`, value, unit: "pulse" }],
+    });
+    const stands = (x: number, y: number, time_ms: number) => {
+      const card = { parts: [axis(1, x), axis(2, y)], words: [], switches: [] };
+      editor.debugAnswers["oncard.card"] = { card, state: { head: time_ms, time_ms } };
+      own.onDidSendMessage({ type: "event", event: "stopped" });
+    };
+    stands(0, 0, 0);
+    await vi.waitFor(() => {
+      expect(sent.at(-1)).toMatchObject({ machine: { seen: { used: [] }, way: [] } });
+    });
+    editor.debugAnswers["oncard.trace"] = {
+      channels: [
+        { name: "axis1.prfPos", least: [0, 10], largest: [10, 20] },
+        { name: "axis2.prfPos", least: [0, 5], largest: [5, 5] },
+      ],
+    };
+    stands(20, 5, 7);
+    await vi.waitFor(() => {
+      expect(sent.at(-1)).toMatchObject({
+        machine: {
+          seen: { used: [1, 2] },
+          way: [
+            [10, 5],
+            [20, 5],
+          ],
+        },
+      });
+    });
+    expect(editor.requests.at(-1)).toEqual({
+      command: "oncard.trace",
+      args: { names: ["axis1.prfPos", "axis2.prfPos"], from_ms: 0, to_ms: 7, points: 300 },
+    });
+
+    const input = { type: "gpi", index: 3, level: 1 };
+    panel.received.fire({ word: "gpi", pin: 3, level: 1 });
+    expect(editor.requests.at(-1)).toEqual({ command: "oncard.setInput", args: input });
+    editor.debugAnswers["oncard.setInput"] = new Error("a switch is wired to it");
+    panel.received.fire({ word: "gpi", pin: 3, level: 1 });
+    await vi.waitFor(() => {
+      expect(editor.shown.at(-1)).toBe("a switch is wired to it");
+    });
+
+    own.onWillStopSession();
+    expect(sent.at(-1)).toMatchObject({ machine: null });
   });
 
   // As `oncard test`: lost.toml expects FAILED, and the run by turns gives the right sum.
