@@ -3,10 +3,10 @@
 
 import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { cpp } from "@codemirror/lang-cpp";
 import {
   bracketMatching,
   HighlightStyle,
+  indentOnInput,
   indentUnit,
   syntaxHighlighting,
 } from "@codemirror/language";
@@ -26,17 +26,17 @@ import { tags } from "@lezer/highlight";
 import { breakpointGutter, breakpointLines, setBreakpoints } from "./breakpoints.js";
 import { type Complete, completions } from "./completions.js";
 import { type Describe, descriptions } from "./descriptions.js";
+import { motionProgram } from "./motion_program.js";
 
 /** Lines that are marked, by their class. */
 export type MarkedLines = { line: number; class: string }[];
 
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: "var(--code-comment)" },
-  { tag: [tags.keyword, tags.controlKeyword], color: "var(--code-keyword)" },
-  { tag: [tags.typeName, tags.standard(tags.typeName)], color: "var(--code-type)" },
-  { tag: [tags.number, tags.string, tags.literal], color: "var(--code-number)" },
+  { tag: [tags.keyword, tags.processingInstruction], color: "var(--code-keyword)" },
+  { tag: tags.typeName, color: "var(--code-type)" },
+  { tag: tags.literal, color: "var(--code-number)" },
   { tag: tags.labelName, color: "var(--code-label)" },
-  { tag: [tags.processingInstruction, tags.macroName], color: "var(--code-keyword)" },
 ]);
 
 /** The line that a thread executes next has its colours; those of the page are not seen in here. */
@@ -156,6 +156,7 @@ export class CodeEditor {
         drawSelection(),
         bracketMatching(),
         closeBrackets(),
+        indentOnInput(),
         completions(this.on.complete),
         highlightActiveLine(),
         highlightSelectionMatches(),
@@ -166,7 +167,7 @@ export class CodeEditor {
         indentUnit.of("  "),
         look,
         syntaxHighlighting(colours),
-        this.#language.of(name.endsWith(".c") ? cpp() : []),
+        this.#language.of(name.endsWith(".c") ? motionProgram : []),
         this.#label.of([]),
         keymap.of([
           ...closeBracketsKeymap,
