@@ -134,7 +134,7 @@ Coordinates Crd::FirstDirection() const {
   if (fifo.executing) return fifo.current.segment.TangentAt(fifo.path);
   if (fifo.slots.empty() || !fifo.slots.front().is_segment) return {};
   const PathSlot& first = fifo.slots.front();
-  return first.approach.in_use() ? Between(position, ApproachEnd(first))
+  return first.approach.in_use() ? Between(position, first.ApproachEnd(position))
                                  : first.segment.TangentAt(0);
 }
 
@@ -403,17 +403,9 @@ void Crd::EndSegment() {
   if (step_mode || run.single_step) EndRun();
 }
 
-Coordinates Crd::ApproachEnd(const PathSlot& slot) const {
-  Coordinates end = position;
-  for (size_t i = 0; i < end.size(); ++i) {
-    if ((slot.approach.axes >> i & 1) != 0) end[i] = slot.segment.end[i];
-  }
-  return end;
-}
-
 bool Crd::MakeApproach(CrdFifo& fifo) const {
   PathSlot& slot = fifo.current;
-  const std::optional<Segment> line = MakeLine(position, ApproachEnd(slot));
+  const std::optional<Segment> line = MakeLine(position, slot.ApproachEnd(position));
   if (line) slot.segment = *line;
   return line.has_value();
 }

@@ -330,8 +330,6 @@ struct Crd {
   void AwaitData();
   void EndPlan();
   void TakeSlot();
-  /// Where an approach from the position ends.
-  Coordinates ApproachEnd(const PathSlot& slot) const;
   /// Makes the line of the current slot, an approach, from the position; false if it has no length,
   /// and then nothing has changed.
   bool MakeApproach(CrdFifo& fifo) const;

@@ -91,6 +91,15 @@ struct PathSlot {
   PlannedMotion planned;
   PathApproach approach;  ///< if in use, it must rest at its end
 
+  /// Where an approach that begins at a point ends.
+  Coordinates ApproachEnd(const Coordinates& from) const {
+    Coordinates end = from;
+    for (size_t i = 0; i < end.size(); ++i) {
+      if ((approach.axes >> i & 1) != 0) end[i] = segment.end[i];
+    }
+    return end;
+  }
+
   auto Fields() const {
     return std::tie(is_segment, command, segment, velocity, acceleration, end_velocity,
                     velocity_limit, ends_at_rest, second_override, user_number, given_number,
