@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/milliseconds.h"
+#include "runtime/observe/axis_path.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/step_log.h"
 #include "runtime/observe/thread_status.h"
@@ -208,6 +209,12 @@ Json SwitchView(const motion::PositionSwitch& contact, const runtime::AxisUnit& 
   return json;
 }
 
+/// A coordinate system with the path that lies ahead.
+Json PathView(size_t crd, const RewindableRun& run) {
+  const runtime::AxisPath path = runtime::PathAhead(run.controller(), crd, kPathPointsMax);
+  return {{"crd", crd + 1}, {"axes", path.axes}, {"points", path.points}, {"whole", path.whole}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
@@ -299,8 +306,14 @@ nlohmann::ordered_json CardView(const RewindableRun& run) {
   for (const motion::PositionSwitch& contact : core.state().switches) {
     switches.push_back(SwitchView(contact, run.controller().options().units[contact.axis]));
   }
-  return {
-      {"parts", std::move(parts)}, {"words", std::move(words)}, {"switches", std::move(switches)}};
+  Json paths = Json::array();
+  for (size_t crd = 0; crd < core.state().crds.size(); ++crd) {
+    if (core.state().crds[crd].exists()) paths.push_back(PathView(crd, run));
+  }
+  return {{"parts", std::move(parts)},
+          {"words", std::move(words)},
+          {"switches", std::move(switches)},
+          {"paths", std::move(paths)}};
 }
 
 Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<int> thread,

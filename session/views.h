@@ -32,7 +32,11 @@ nlohmann::ordered_json PageView(const RewindableRun& run, int page);
 /// The 1024 slots of a data page as they are.
 nlohmann::ordered_json SlotsView(const RewindableRun& run, int page);
 
-/// Axes, profiles and the other parts of the card, its inputs and outputs, and the switches.
+/// Of a path that lies ahead, the next points that CardView shows.
+inline constexpr size_t kPathPointsMax = 200;
+
+/// Axes, profiles and the other parts of the card, its inputs and outputs, the switches, and the
+/// coordinate systems with the paths that lie ahead.
 nlohmann::ordered_json CardView(const RewindableRun& run);
 
 /// A text of a user: the values of a name (quantity.h), or whether a condition holds; with a

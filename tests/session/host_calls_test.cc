@@ -170,6 +170,34 @@ TEST_F(HostCallsTest, ShowAPathCard) {
   EXPECT_NEAR(Result("evaluate", {{"text", "axis2.prfVel"}})["value"], 8, 1e-9);
 }
 
+// The path of a card of three axes: from where it is in the first line to the end of the second.
+TEST_F(HostCallsTest, ShowThePathAhead) {
+  runtime::RecordingHost host("GE-300-SG");
+  host.Call("GT_AxisOn", {1});
+  host.Call("GT_AxisOn", {2});
+  host.Call("GT_StrtList", {});
+  host.Call("GT_MvXY", {0, 0, 10, 1});
+  host.Call("GT_LnXY", {300, 400});
+  host.Call("GT_LnXY", {300, 0});
+  host.Call("GT_EndList", {});
+  host.Call("GT_StrtMtn", {});
+  host.Wait(30000);
+  host.Close();
+  Load(host.text());
+  Forward("stop");
+  const Json paths = Result("card")["paths"];
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths[0]["crd"], 1);
+  EXPECT_EQ(paths[0]["axes"], Json({1, 2, 3}));
+  EXPECT_EQ(paths[0]["whole"], true);
+  const Json points = paths[0]["points"];
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0][0], Result("evaluate", {{"text", "axis1.prfPos"}})["value"]);
+  EXPECT_NEAR(points[0][1].get<double>() * 3, points[0][0].get<double>() * 4, 1e-9);
+  EXPECT_EQ(points[1], Json({300, 400, 0}));
+  EXPECT_EQ(points[2], Json({300, 0, 0}));
+}
+
 // --- Back ----------------------------------------------------------------------------------------
 
 TEST_F(HostCallsTest, GoingBackBringsTheProgramBack) {

@@ -892,6 +892,7 @@ export interface Card {
   parts: CardPart[];
   words: CardWord[];
   switches: CardSwitch[];
+  paths: CardPath[];
 }
 /**
  * An axis, a profile, an encoder, ...
@@ -929,6 +930,24 @@ export interface CardSwitch {
   to?: number;
   active_low: boolean;
   connected: boolean;
+}
+/**
+ * A coordinate system that is set up, with the path that lies ahead of it.
+ */
+export interface CardPath {
+  crd: number;
+  /**
+   * By their coordinates X, Y, Z, A.
+   */
+  axes: number[];
+  /**
+   * Positions of `axes` in their units, from where they are; empty if nothing waits.
+   */
+  points: number[][];
+  /**
+   * `false`: the path goes on after the last point.
+   */
+  whole: boolean;
 }
 /**
  * A value over time: its extremes in each part of the time.
