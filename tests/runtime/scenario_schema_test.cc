@@ -206,6 +206,7 @@ std::string FileWith(const KeySection& section, const KeyDescription& key, doubl
   std::string text = "program = \"p.c\"\n";
   if (path.empty()) return text + line;
   if (path == "explore") return text + fmt::format("explore = {{ {} = {} }}\n", key.name, number);
+  if (path == "view") return text + "[view]\n" + line;
   if (path == "world.move" || (path == "world.fault" && key.name == "switch")) {
     text += "[[world.switch]]\naxis = 1\nfrom = 1\n";
   }

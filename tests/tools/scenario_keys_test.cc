@@ -86,6 +86,7 @@ const KeyCase kCases[] = {
      "expect = [\"n == 0\"]\n[[world.input]]\nvalue = 5\nat_ms = 1\n"},
     {"ethercat", kDelay, "final = [\"drive1.state == 0\"]\n",
      "final = [\"drive1.state == 0\"]\n[[ethercat.slave]]\n"},
+    {"view", kDelay, "", "[view]\ntitle = \"Drill\"\n"},
     {"host", kDelay, "final = [\"n == 1\"]\n",
      "final = [\"n == 1\"]\n[[host]]\nat_ms = 1\nset = { n = 4 }\n"},
 };

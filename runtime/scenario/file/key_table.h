@@ -2,7 +2,7 @@
 // which commands use it, and the member that holds it. Reading, writing (keyed_toml.h), the table
 // of uses (scenario_keys.h), the tables of docs/scenarios.md and the schema for editors
 // (scenario_schema.h) follow from the rows. What depends on several keys is a function of the
-// reader. Rows: key_rows.cc, world_key_rows.cc, bus_key_rows.cc. Tested by
+// reader. Rows: key_rows.cc, world_key_rows.cc, bus_key_rows.cc, view_key_rows.cc. Tested by
 // tests/runtime/key_table_test.cc.
 #pragma once
 
@@ -170,6 +170,8 @@ std::span<const Key<WorldFault>> FaultKeys();
 std::span<const Key<HandTurn>> HandKeys();
 std::span<const Key<VoltageEvent>> VoltageKeys();
 std::span<const Key<ModuleEvent>> ModuleKeys();
+std::span<const Key<ViewSetup>> ViewKeys();
+std::span<const Key<ViewPin>> ViewPinKeys();
 std::span<const Key<BusSetup>> BusKeys();
 std::span<const Key<BusSlaveSetup>> BusSlaveKeys();
 /// Those of them that an ENI file can describe.

@@ -109,6 +109,7 @@ std::string FormatScenario(const Scenario& scenario) {
   for (const ThreadStart& start : scenario.threads) text += FormatThread(start);
   text += FormatWorld(scenario.world, scenario.axis_count);
   text += FormatBus(scenario.bus);
+  text += FormatView(scenario.view);
   for (const HostEvent& event : scenario.host) {
     text += AsTable("[[host]]", WriteKeys(event, HostKeys()));
   }

@@ -19,6 +19,7 @@
 #include "runtime/scenario/file/key_script.h"
 #include "runtime/scenario/file/placed_errors.h"
 #include "runtime/scenario/file/scenario_keys.h"
+#include "runtime/scenario/file/view_setup.h"
 #include "runtime/scenario/world/bus_setup.h"
 #include "runtime/scenario/world/world_setup.h"
 #include "vm/fixed_point.h"
@@ -134,6 +135,7 @@ struct Scenario {
   std::optional<int64_t> until_us;
   World world;
   BusSetup bus;
+  ViewSetup view;
   /// Of a scenario for a host; those of the keys `host` exclude each other.
   std::optional<HostProgram> host_program = {};
   std::vector<HostEvent> host;  ///< in order of time
@@ -200,6 +202,8 @@ std::string FormatScenario(const Scenario& scenario);
 std::string FormatWorld(const World& world, int axis_count);
 /// Its tables that are read back as the same bus.
 std::string FormatBus(const BusSetup& bus);
+/// Its tables that are read back as the same view.
+std::string FormatView(const ViewSetup& view);
 
 /// A path of the scenario, which is relative to the scenario's folder, for the caller to open.
 std::string PathFromScenario(const Scenario& scenario, const std::string& path);

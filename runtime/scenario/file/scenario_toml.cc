@@ -17,6 +17,7 @@
 #include "runtime/scenario/file/scenario_keys.h"
 #include "runtime/scenario/file/toml_guard.h"
 #include "runtime/scenario/file/toml_keys.h"
+#include "runtime/scenario/file/view_toml.h"
 #include "runtime/scenario/file/world_toml.h"
 
 namespace oncard::runtime {
@@ -94,6 +95,9 @@ class ScenarioReader : private TomlKeys {
     }
     if (const toml::table* bus = Table(table, "ethercat")) {
       scenario_.bus = ReadBus(*bus, scenario_.axis_count, *this);
+    }
+    if (const toml::table* view = Table(table, "view")) {
+      scenario_.view = ReadView(*view, scenario_.axis_count, *this);
     }
     if (NamesHostProgram(table)) {
       ReadHostProgram(*table.get("host")->as_table());
