@@ -469,7 +469,7 @@ Result<Json> SessionHost::Requests::Slots(Arguments& arguments) {
 
 Result<Json> SessionHost::Requests::Card(Arguments& arguments) {
   if (auto missing = Missing(arguments)) return *std::move(missing);
-  return CardView(session_->run());
+  return CardView(session_->run(), language_);
 }
 
 Result<Json> SessionHost::Requests::Evaluate(Arguments& arguments) {

@@ -215,6 +215,28 @@ Json PathView(size_t crd, const RewindableRun& run) {
   return {{"crd", crd + 1}, {"axes", path.axes}, {"points", path.points}, {"whole", path.whole}};
 }
 
+/// The Chinese text if there is one and it is asked for.
+const std::string& TextIn(Language language, const std::string& en, const std::string& zh) {
+  return language == Language::kChinese && !zh.empty() ? zh : en;
+}
+
+/// How the scenario wants the machine to look.
+Json MachineView(const runtime::ViewSetup& view, Language language) {
+  Json pins = Json::array();
+  for (const runtime::ViewPin& pin : view.pins) {
+    pins.push_back({{"type", pin.type},
+                    {"index", pin.index},
+                    {"name", TextIn(language, pin.name, pin.name_zh)}});
+  }
+  return {{"title", TextIn(language, view.title, view.title_zh)},
+          {"kind", view.kind},
+          {"x", view.x},
+          {"y", view.y},
+          {"z", view.z},
+          {"turn", view.turn},
+          {"pins", std::move(pins)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
@@ -282,7 +304,7 @@ nlohmann::ordered_json SlotsView(const RewindableRun& run, int page) {
   return run.machine().state().pages[static_cast<size_t>(page)];
 }
 
-nlohmann::ordered_json CardView(const RewindableRun& run) {
+nlohmann::ordered_json CardView(const RewindableRun& run, Language language) {
   const motion::MotionCore& core = run.controller().motion();
   Json parts = Json::array();
   for (const runtime::MotionPart& part : runtime::MotionParts()) {
@@ -313,7 +335,8 @@ nlohmann::ordered_json CardView(const RewindableRun& run) {
   return {{"parts", std::move(parts)},
           {"words", std::move(words)},
           {"switches", std::move(switches)},
-          {"paths", std::move(paths)}};
+          {"paths", std::move(paths)},
+          {"view", MachineView(run.scenario().view, language)}};
 }
 
 Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<int> thread,

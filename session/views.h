@@ -36,8 +36,8 @@ nlohmann::ordered_json SlotsView(const RewindableRun& run, int page);
 inline constexpr size_t kPathPointsMax = 200;
 
 /// Axes, profiles and the other parts of the card, its inputs and outputs, the switches, and the
-/// coordinate systems with the paths that lie ahead.
-nlohmann::ordered_json CardView(const RewindableRun& run);
+/// coordinate systems with the paths that lie ahead, and how the machine looks.
+nlohmann::ordered_json CardView(const RewindableRun& run, Language language);
 
 /// A text of a user: the values of a name (quantity.h), or whether a condition holds; with a
 /// thread, as its function means the names. Fails if it is neither.

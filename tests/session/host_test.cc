@@ -498,6 +498,21 @@ TEST_F(HostTest, MovesSwitches) {
   EXPECT_THAT(ErrorOf("move_switch", {{"switch", 2}, {"to", 0}}), HasSubstr("no switch 2"));
 }
 
+TEST_F(HostTest, SaysHowTheMachineLooks) {
+  const std::string scenario =
+      "[view]\ntitle = \"Plotter\"\ntitle_zh = \"绘图仪\"\nkind = \"xy\"\nz = 3\n"
+      "[[view.pin]]\ntype = \"gpo\"\nindex = 2\nname = \"Pen\"\n";
+  Load(kMove, scenario);
+  EXPECT_EQ(Result("card")["view"],
+            Json::parse(R"({"title":"Plotter","kind":"xy","x":1,"y":2,"z":3,"turn":10000.0,)"
+                        R"("pins":[{"type":"gpo","index":2,"name":"Pen"}]})"));
+  Result("hello", {{"protocol", 1}, {"language", "zh"}});
+  Load(kMove, scenario);
+  const Json view = Result("card")["view"];
+  EXPECT_EQ(view["title"], "绘图仪");
+  EXPECT_EQ(view["pins"][0]["name"], "Pen");
+}
+
 TEST_F(HostTest, TakesTheFirstCaseOfChoicesAndSaysIt) {
   const Json arguments = {
       {"main", "s.toml"},

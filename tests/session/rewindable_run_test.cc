@@ -517,7 +517,7 @@ TEST(RewindableRun, MovesSwitchesInTheUnitOfTheirAxis) {
   EXPECT_EQ(contact().first, -250);
   EXPECT_EQ(contact().last, 2000);
   EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
-  const auto shown = CardView(*run)["switches"][0];
+  const auto shown = CardView(*run, Language::kEnglish)["switches"][0];
   EXPECT_EQ(shown["from"], -0.25);
   EXPECT_EQ(shown["to"], 2);
 }

@@ -893,6 +893,7 @@ export interface Card {
   words: CardWord[];
   switches: CardSwitch[];
   paths: CardPath[];
+  view: MachineLook;
 }
 /**
  * An axis, a profile, an encoder, ...
@@ -948,6 +949,34 @@ export interface CardPath {
    * `false`: the path goes on after the last point.
    */
   whole: boolean;
+}
+/**
+ * How the machine looks, as `[view]` of the scenario describes it.
+ */
+export interface MachineLook {
+  /**
+   * In the language of the session; may be empty.
+   */
+  title: string;
+  kind: "auto" | "stages" | "xy" | "rotary" | "gripper" | "conveyor";
+  /**
+   * An axis, as all three.
+   */
+  x: number;
+  y: number;
+  /**
+   * 0: none.
+   */
+  z: number;
+  turn: number;
+  pins: {
+    /**
+     * The name of a word.
+     */
+    type: string;
+    index: number;
+    name: string;
+  }[];
 }
 /**
  * A value over time: its extremes in each part of the time.
