@@ -415,7 +415,7 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   await expect(status(page)).toHaveText("Card: finished.");
   // 50 000 pulses.
   await expect(page.locator('output[data-axis="1"]')).toHaveText("50 mm");
-  await page.getByRole("checkbox", { name: "XY table" }).uncheck();
+  await page.getByRole("button", { name: "Axes", exact: true }).click();
   await expect(page.locator(".stage").first().locator(".rail-text").last()).toHaveText("100");
   const channel = page.getByRole("group", { name: "axis1.prfVel" });
   await expect(channel.locator(".unit")).toHaveText("mm/s");

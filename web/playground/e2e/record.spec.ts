@@ -4,21 +4,36 @@ import { expect, type Page, test } from "@playwright/test";
 
 import { atMaximum, expectAccessible, modulesOf, open, openOwn, status } from "./support.js";
 
-/** A host that lets two axes of a path card draw a line; no card has its state at the end. */
-const line = [
-  { oncard: "host calls", format: 1 },
-  { open: 0, bare: true, scenario: 'program = ""\ncard = "GE-300-SG"\naxes = 3\n' },
-  ...[
-    { call: "GT_AxisOn", in: [1] },
-    { call: "GT_AxisOn", in: [2] },
-    { call: "GT_SetSynVel", in: [10] },
-    { call: "GT_SetSynAcc", in: [1] },
-    { call: "GT_LnXY", in: [300, 400] },
-  ].map((call, index) => ({ card: 0, us: 50 * (index + 1), ...call, code: 0 })),
-  { close: 0, us: 100_000, hash: "0000000000000000" },
-]
-  .map((each) => `${JSON.stringify(each)}\n`)
-  .join("");
+/** The record of a host that makes these calls to a path card; no card has its state at the end. */
+function recordOf(calls: { call: string; in: number[] }[]): string {
+  const lines = [
+    { oncard: "host calls", format: 1 },
+    { open: 0, bare: true, scenario: 'program = ""\ncard = "GE-300-SG"\naxes = 3\n' },
+    ...calls.map((call, index) => ({ card: 0, us: 50 * (index + 1), ...call, code: 0 })),
+    { close: 0, us: 100_000, hash: "0000000000000000" },
+  ];
+  return lines.map((each) => `${JSON.stringify(each)}\n`).join("");
+}
+
+const drivesOn = [1, 2].map((axis) => ({ call: "GT_AxisOn", in: [axis] }));
+
+const line = recordOf([
+  ...drivesOn,
+  { call: "GT_SetSynVel", in: [10] },
+  { call: "GT_SetSynAcc", in: [1] },
+  { call: "GT_LnXY", in: [300, 400] },
+]);
+
+/** A list of two lines. */
+const corner = recordOf([
+  ...drivesOn,
+  { call: "GT_StrtList", in: [] },
+  { call: "GT_MvXY", in: [0, 0, 10, 1] },
+  { call: "GT_LnXY", in: [300, 400] },
+  { call: "GT_LnXY", in: [300, 0] },
+  { call: "GT_EndList", in: [] },
+  { call: "GT_StrtMtn", in: [] },
+]);
 
 async function choose(page: Page, text: string): Promise<void> {
   await page
@@ -45,6 +60,26 @@ test("a record of a GE card moves its axes, and the program comes back", async (
   await page.getByRole("button", { name: "Back to the program" }).click();
   await expect(page.getByRole("textbox", { name: /^Text of/ })).toBeVisible();
   await expect(status(page)).toHaveText("Card ready.");
+});
+
+test("the path ahead is dotted as far as it is planned", async ({ page }) => {
+  await open(page);
+  await choose(page, corner);
+  await expect(page.getByText("0 of 9 calls made")).toBeVisible();
+  const ahead = page.locator(".way-ahead");
+  const points = () =>
+    ahead.evaluateAll((ways) => ways.map((each) => each.getAttribute("points")?.split(" ").length));
+  // Each step is a call or a cycle; with the second axis there is a table.
+  await expect
+    .poll(async () => {
+      await page.keyboard.press("F8");
+      return points();
+    })
+    .toEqual([3]);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.locator('output[data-axis="1"]')).toHaveText("300 pulse");
+  await expect(ahead).toHaveAttribute("points", "");
 });
 
 test("without the module with everything the program stays on the card", async ({ page }) => {

@@ -1,20 +1,25 @@
-import type { Card } from "@oncard/engine";
+import type { CardPath } from "@oncard/engine";
 import { expect, test } from "vitest";
 
 import {
+  aheadOf,
   axesNamed,
   axesOf,
   grown,
+  isTable,
   isUsed,
   pin,
   placeOn,
   positionText,
   roundUp,
+  sameScale,
+  tableAxes,
   trailOf,
   wayOf,
 } from "../src/machine/axes.js";
+import { cardWith } from "./card.js";
 
-const card: Card = {
+const card = cardWith({
   parts: [1, 2].map((number) => ({
     part: "axis",
     number,
@@ -27,8 +32,7 @@ const card: Card = {
     { name: "limit_positive", kind: "input", value: 0b10, pins: 8 },
     { name: "gpo", kind: "output", value: 0x8000 },
   ],
-  switches: [],
-};
+});
 
 test("axes have the switches of their number", () => {
   const [first, second] = axesOf(card);
@@ -140,4 +144,91 @@ test("a short way has fewer parts, and a single place has none", () => {
   expect(trailOf(["a", "b", "c"]).map(({ part }) => part.join(""))).toEqual(["ab", "bc"]);
   expect(trailOf(["a", "b"])).toEqual([{ part: ["a", "b"], opacity: 1 }]);
   expect(trailOf(["a"])).toEqual([]);
+});
+
+// --- Tables --------------------------------------------------------------------------------------
+
+/** A card of four axes; a switch at one of them. */
+const four = cardWith({
+  parts: [1, 2, 3, 4].map((number) => ({ part: "axis", number, values: [] })),
+});
+const contact = { axis: 1, type: "home", index: 1, from: 0, active_low: false, connected: true };
+const path: CardPath = {
+  crd: 1,
+  axes: [3, 1, 2],
+  points: [
+    [30, 10, 20],
+    [33, 11, 22],
+  ],
+  whole: true,
+};
+
+test.each([
+  ["two axes", four, 2, true],
+  ["two axes, one with a switch", { ...four, switches: [contact] }, 2, false],
+  ["three axes", four, 3, false],
+  ["axes of a coordinate system", { ...four, switches: [contact], paths: [path] }, 4, true],
+  ["a path of one axis", { ...four, paths: [{ ...path, axes: [1] }] }, 4, false],
+  [
+    "a scenario that wants a table",
+    { ...four, view: { ...four.view, kind: "xy" as const } },
+    4,
+    true,
+  ],
+  [
+    "a scenario that wants stages",
+    { ...four, view: { ...four.view, kind: "stages" as const } },
+    2,
+    false,
+  ],
+])("%s: is it a table", (_, shown, count, expected) => {
+  expect(isTable(shown, axesOf(shown).slice(0, count))).toBe(expected);
+});
+
+test.each([
+  ["the first two", four, [1, 2, undefined]],
+  ["those of a coordinate system", { ...four, paths: [path] }, [3, 1, 2]],
+  [
+    "those that the scenario names",
+    { ...four, paths: [path], view: { ...four.view, kind: "xy" as const, x: 4, y: 3 } },
+    [4, 3, undefined],
+  ],
+])("the axes of a table are %s", (_, shown, expected) => {
+  const { x, y, z } = tableAxes(shown, axesOf(shown)) ?? {};
+  expect([x?.axis, y?.axis, z?.axis]).toEqual(expected);
+});
+
+test("there is no table of one axis", () => {
+  expect(tableAxes(four, axesOf(four).slice(0, 1))).toBeUndefined();
+});
+
+test("the path of a coordinate system leads a table on", () => {
+  const [one, two, three] = axesOf(four);
+  if (!one || !two || !three) throw new Error("the card has four axes");
+  expect(aheadOf([path], { x: one, y: three })).toEqual([
+    [10, 30],
+    [11, 33],
+  ]);
+  expect(aheadOf([{ ...path, axes: [3, 4] }], { x: one, y: two })).toEqual([]);
+});
+
+test("both axes of a table have the scale of the longer one", () => {
+  expect(sameScale({ least: -5, largest: 5 }, { least: 0, largest: 40 })).toEqual([
+    { least: -5, largest: 35 },
+    { least: 0, largest: 40 },
+  ]);
+});
+
+test("an axis on the bus has its drive", () => {
+  const values = [
+    { name: "state", path: "drive2.state", value: 4 },
+    { name: "mode", path: "drive2.mode", value: 8 },
+  ];
+  const parts = [...four.parts, { part: "drive", number: 2, values }];
+  expect(axesOf({ ...four, parts }).map(({ drive }) => drive)).toEqual([
+    undefined,
+    { state: 4, mode: 8 },
+    undefined,
+    undefined,
+  ]);
 });

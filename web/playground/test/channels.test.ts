@@ -12,6 +12,7 @@ import {
   valueNow,
   valuesAtDivisions,
 } from "../src/scope/channels.js";
+import { cardWith } from "./card.js";
 
 const velocity = { name: "v", least: [0, 10, -3, 40], largest: [0, 20, 50, 40] };
 const sweep = { fromMs: 0, toMs: 8, channels: [velocity] };
@@ -68,19 +69,14 @@ test("values of the card have the units that it says", () => {
     { name: "prfPos", path: "axis1.prfPos", value: 12.5, unit: "mm" },
     { name: "sts", path: "axis1.sts", value: 0 },
   ];
-  const card = { parts: [{ part: "axis", number: 1, values }], words: [], switches: [] };
+  const card = cardWith({ parts: [{ part: "axis", number: 1, values }] });
   expect(unitsOf(card)).toEqual(new Map([["axis1.prfPos", "mm"]]));
   expect(unitsOf(undefined).size).toBe(0);
 });
 
 test("channels are the values of the card and the variables", () => {
-  const card = {
-    parts: [
-      { part: "axis", number: 1, values: [{ name: "prfVel", path: "axis1.prfVel", value: 0 }] },
-    ],
-    words: [],
-    switches: [],
-  };
+  const prfVel = { name: "prfVel", path: "axis1.prfVel", value: 0 };
+  const card = cardWith({ parts: [{ part: "axis", number: 1, values: [prfVel] }] });
   const variables = [
     { name: "a", path: "a", type: "int", slot: 0, value: [1, 2] },
     { name: "x", path: "page0.x", type: "int", slot: 0, value: 1 },
@@ -104,7 +100,7 @@ test.each([
     { ...variable, name: "a", path: "page0.a", value: [2] },
   ];
   const prfPos = { name: "prfPos", path: "axis1.prfPos", value: 12.5 };
-  const card = { parts: [{ part: "axis", number: 1, values: [prfPos] }], words: [], switches: [] };
+  const card = cardWith({ parts: [{ part: "axis", number: 1, values: [prfPos] }] });
   expect(valueNow(card, variables, name)).toBe(value);
 });
 

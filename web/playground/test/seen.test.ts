@@ -2,6 +2,7 @@ import type { Card } from "@oncard/engine";
 import { expect, test } from "vitest";
 
 import { axesShown, seenOf } from "../src/machine/seen.js";
+import { cardWith } from "./card.js";
 
 /** A card whose axes are at these positions. */
 function cardAt(...positions: number[]): Card {
@@ -10,7 +11,7 @@ function cardAt(...positions: number[]): Card {
     const path = `axis${index + 1}.${name}`;
     return { part: "axis", number: index + 1, values: [{ name, path, value, unit: "pulse" }] };
   });
-  return { parts, words: [], switches: [] };
+  return cardWith({ parts });
 }
 
 function shown(...args: Parameters<typeof axesShown>): number[] {
@@ -22,6 +23,13 @@ test("an axis that has been used stays, also where it is at zero again", () => {
   const seen = seenOf(home, seenOf(cardAt(0, 500, 0)));
   expect(shown(home, seen)).toEqual([2]);
   expect(shown(home, seenOf(home))).toEqual([1]); // nothing is used: the first
+});
+
+test("the axes of a table belong to the machine from the start", () => {
+  const card = cardAt(0, 0, 0, 0);
+  const view = { ...card.view, kind: "xy", x: 3, y: 1 } as const;
+  expect(shown({ ...card, view }, seenOf(card))).toEqual([1, 3]);
+  expect(shown({ ...card, view: { ...view, z: 4 } }, seenOf(card))).toEqual([1, 3, 4]);
 });
 
 test("axes that are named are shown from the start", () => {

@@ -3,7 +3,7 @@
 // Tested by test/package.test.ts and e2e/editor.spec.ts.
 
 import type { Card, Channel, State } from "@oncard/engine";
-import { type Place, wayOf } from "@oncard/playground/machine/axes";
+import { type Place, tableAxes, wayOf } from "@oncard/playground/machine/axes";
 import { axesShown, type Seen, seenOf } from "@oncard/playground/machine/seen";
 import {
   commands,
@@ -123,16 +123,16 @@ export class MachinePanel implements Follower {
   }
 }
 
-/** Where the first two axes have been up to now. */
+/** Where the axes of a table have been up to now. */
 async function wayIn(
   session: DebugSession,
   card: Card,
   seen: Seen,
   time: number,
 ): Promise<Place[]> {
-  const [x, y] = axesShown(card, seen);
-  if (!x || !y || time === 0) return [];
-  const names = [x, y].map(({ axis }) => `axis${axis}.prfPos`);
+  const table = tableAxes(card, axesShown(card, seen));
+  if (!table || time === 0) return [];
+  const names = [table.x, table.y].map(({ axis }) => `axis${axis}.prfPos`);
   const args = { names, from_ms: 0, to_ms: time, points: wayPoints };
   return wayOf((await request<{ channels: Channel[] }>(session, "oncard.trace", args)).channels);
 }

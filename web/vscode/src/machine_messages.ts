@@ -16,7 +16,7 @@ export interface ToView {
 export interface MachineNow {
   card: Card;
   seen: Seen;
-  /** Of the first two axes that are shown. */
+  /** Of the axes that can be a table. */
   way: Place[];
 }
 

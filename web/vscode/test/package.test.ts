@@ -372,7 +372,8 @@ describe.skipIf(withoutModule)("the package", () => {
       values: [{ name: "prfPos", path: `axis${number}.prfPos`, value, unit: "pulse" }],
     });
     const stands = (x: number, y: number, time_ms: number) => {
-      const card = { parts: [axis(1, x), axis(2, y)], words: [], switches: [] };
+      const parts = [axis(1, x), axis(2, y)];
+      const card = { parts, words: [], switches: [], paths: [], view: { kind: "auto" } };
       editor.debugAnswers["oncard.card"] = { card, state: { head: time_ms, time_ms } };
       own.onDidSendMessage({ type: "event", event: "stopped" });
     };

@@ -1,7 +1,7 @@
 // What of the card the machine view shows: the axes that are used, and how far their stages reach.
 // Tested by test/axes.test.ts.
 
-import type { Card, CardPart, Channel } from "@oncard/engine";
+import type { Card, CardPart, CardPath, Channel } from "@oncard/engine";
 
 import { number } from "../texts/number.js";
 
@@ -23,6 +23,14 @@ export interface AxisView {
   home: boolean;
   /** Those that the scenario has, at their places. */
   switches: AxisSwitch[];
+  /** That of an axis on the bus. */
+  drive?: Drive | undefined;
+}
+
+/** A drive as CiA 402 numbers its states and modes. */
+export interface Drive {
+  state: number;
+  mode: number;
 }
 
 export interface AxisSwitch {
@@ -74,7 +82,13 @@ export function axesOf(card: Card): AxisView[] {
       negativeLimit: pin(card, "limit_negative", part.number),
       home: pin(card, "home", part.number),
       switches: switchesOf(card, part.number),
+      drive: driveOf(card, part.number),
     }));
+}
+
+function driveOf(card: Card, axis: number): Drive | undefined {
+  const drive = card.parts.find(({ part, number }) => part === "drive" && number === axis);
+  return drive && { state: valueOf(drive, "state"), mode: valueOf(drive, "mode") };
 }
 
 function switchesOf(card: Card, axis: number): AxisSwitch[] {
@@ -107,7 +121,7 @@ export function roundUp(value: number): number {
 }
 
 /** How far a stage reaches at first, in the unit of its axis. */
-function firstReach(unit: string): Reach {
+export function firstReach(unit: string): Reach {
   return { least: 0, largest: unit === "pulse" ? 10_000 : 100 };
 }
 
@@ -118,6 +132,53 @@ export function grown(reach: Reach | undefined, position: number, unit: string):
     least: position < least ? -roundUp(-position) : least,
     largest: position > largest ? roundUp(position) : largest,
   };
+}
+
+/** Both reaches as long as the longer one, so that a figure is not distorted. */
+export function sameScale(x: Reach, y: Reach): [Reach, Reach] {
+  const length = Math.max(x.largest - x.least, y.largest - y.least);
+  const longer = ({ least }: Reach) => ({ least, largest: least + length });
+  return [longer(x), longer(y)];
+}
+
+/** Axes that move a table together. */
+export interface TableAxes {
+  x: AxisView;
+  y: AxisView;
+  z?: AxisView | undefined;
+}
+
+/** Those that the scenario names or a coordinate system has; otherwise the first two. */
+export function tableAxes(card: Card, axes: readonly AxisView[]): TableAxes | undefined {
+  const [x, y, z] = numbersOfTable(card, axes).map((wanted) =>
+    axes.find(({ axis }) => axis === wanted),
+  );
+  return x && y && { x, y, z };
+}
+
+function numbersOfTable({ view, paths }: Card, axes: readonly AxisView[]): number[] {
+  if (view.kind === "xy") return [view.x, view.y, view.z];
+  return pathOf(paths)?.axes.slice(0, 3) ?? axes.slice(0, 2).map(({ axis }) => axis);
+}
+
+function pathOf(paths: readonly CardPath[]): CardPath | undefined {
+  return paths.find(({ axes }) => axes.length > 1);
+}
+
+/** Whether the machine is a table as long as its reader has not chosen. */
+export function isTable({ view, paths }: Card, axes: readonly AxisView[]): boolean {
+  if (view.kind !== "auto") return view.kind === "xy";
+  // Two axes with switches of their own are rather two stages than a table.
+  const isPair = axes.length === 2 && axes.every(({ switches }) => switches.length === 0);
+  return pathOf(paths) !== undefined || isPair;
+}
+
+/** Where the coordinate system of a table goes on. */
+export function aheadOf(paths: readonly CardPath[], { x, y }: TableAxes): Place[] {
+  const path = paths.find(({ axes }) => axes.includes(x.axis) && axes.includes(y.axis));
+  if (!path) return [];
+  const [indexX, indexY] = [x, y].map(({ axis }) => path.axes.indexOf(axis));
+  return path.points.map((point) => [point[indexX ?? 0] ?? 0, point[indexY ?? 0] ?? 0]);
 }
 
 /** A position without its unit: of pulses, a tenth is enough. */

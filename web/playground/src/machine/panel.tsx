@@ -40,7 +40,7 @@ export function MachinePanel() {
 
 function Machine(props: { card: Card; seen: Seen }) {
   const axes = axesShown(props.card, props.seen, named.value);
-  const table = tableOf(axes);
+  const table = tableOf(props.card, axes);
   const way = useWay(table?.x.axis, table?.y.axis);
   return (
     <MachineView

@@ -25,9 +25,10 @@ export function seenOf(card: Card, before: Seen = nothing): Seen {
   return { used: [...used], reaches };
 }
 
-/** Those that have been used or are `named`; otherwise the first. */
+/** Those that have been used, are `named` or belong to the machine; otherwise the first. */
 export function axesShown(card: Card, { used }: Seen, named: readonly number[] = []): AxisView[] {
-  const numbers = new Set([...used, ...named]);
+  const { kind, x, y, z } = card.view;
+  const numbers = new Set([...used, ...named, ...(kind === "xy" ? [x, y, z] : [])]);
   if (numbers.size === 0) numbers.add(1);
   return axesOf(card).filter(({ axis }) => numbers.has(axis));
 }

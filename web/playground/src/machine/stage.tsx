@@ -4,56 +4,14 @@
 
 import type { MachineWords } from "../texts/machine.js";
 import { number } from "../texts/number.js";
-import {
-  type AxisView,
-  placeOn,
-  positionNumber,
-  positionText,
-  type Reach,
-  roundUp,
-} from "./axes.js";
+import { type AxisView, placeOn, type Reach, roundUp } from "./axes.js";
+import { AxisHead, colourOf, labelOf, Readings, statesOf } from "./readings.js";
 
 const width = 560;
 const left = 62;
 const right = width - 42;
 /** Marks of the scale, every other one with its number. */
 const marks = Array.from({ length: 11 }, (_, index) => index / 10);
-
-/** States of an axis in words, each with its tone. */
-function statesOf(axis: AxisView, words: MachineWords): [string, string][] {
-  return [
-    [axis.servoOn ? words.servo : words.off, axis.servoOn ? "good" : ""],
-    ...(axis.moving ? ([[words.moving, "now"]] as [string, string][]) : []),
-    ...(axis.alarm ? ([[words.alarm, "bad"]] as [string, string][]) : []),
-    ...(axis.followingError ? ([[words.followingError, "bad"]] as [string, string][]) : []),
-    ...(axis.positiveLimit ? ([[words.positiveOn, "bad"]] as [string, string][]) : []),
-    ...(axis.negativeLimit ? ([[words.negativeOn, "bad"]] as [string, string][]) : []),
-  ];
-}
-
-function Readings({ axis }: { axis: AxisView }) {
-  return (
-    <>
-      <output class="reading" data-axis={axis.axis}>
-        {positionNumber(axis)}
-        <small> {axis.positionUnit}</small>
-      </output>
-      <output class="reading">
-        {number(axis.velocity, 2)}
-        <small> {axis.velocityUnit}</small>
-      </output>
-    </>
-  );
-}
-
-function labelOf(axis: AxisView, words: MachineWords): string {
-  const velocity = `${number(axis.velocity, 2)} ${axis.velocityUnit}`;
-  return words.stage(axis.axis, positionText(axis), velocity);
-}
-
-function colourOf(axis: number): string {
-  return `a${(axis - 1) % 8}`;
-}
 
 /** Whether profile and encoder are so far apart that one sees it. */
 function isApart(axis: AxisView, reach: Reach): boolean {
@@ -75,16 +33,7 @@ export function Stage({ axis, reach, words }: AxisProps) {
     Math.sign(axis.velocity) * (8 + Math.min(1, fast / roundUp(Math.max(100, fast))) * 52);
   return (
     <div class={`stage ${colourOf(axis.axis)}`}>
-      <div class="row">
-        <strong>{words.axis(axis.axis)}</strong>
-        {statesOf(axis, words).map(([text, kind]) => (
-          <span key={text} class={`tag ${kind}`}>
-            {text}
-          </span>
-        ))}
-        <span class="grow" />
-        <Readings axis={axis} />
-      </div>
+      <AxisHead axis={axis} words={words} />
       <svg viewBox={`0 0 ${width} 64`} role="img" aria-label={labelOf(axis, words)} class="rail">
         <rect x="2" y="14" width="24" height="24" rx="3" class="motor" />
         <rect x="26" y="21" width="6" height="10" class="rail-bed" />

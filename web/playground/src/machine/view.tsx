@@ -1,28 +1,35 @@
-// The machine: a stage or a row for each axis that is used, an XY table, outputs and inputs. The
-// page and the extension for Visual Studio Code show it.
+// The machine: a table, or a stage or a row for each axis that is used, and outputs and inputs. How it
+// looks the scenario says (`[view]`). The page and the extension for Visual Studio Code show it.
 
 import type { Card } from "@oncard/engine";
 import { signal } from "@preact/signals";
 
 import type { MachineWords } from "../texts/machine.js";
-import { type AxisView, grown, type Place, type Reach } from "./axes.js";
+import {
+  aheadOf,
+  type AxisView,
+  grown,
+  isTable,
+  type Place,
+  type Reach,
+  type TableAxes,
+  tableAxes,
+} from "./axes.js";
 import { Pins, type SetInput } from "./pins.js";
+import { Plotter } from "./plotter.js";
+import { colourOf, Readings, States } from "./readings.js";
 import type { Seen } from "./seen.js";
 import { AxisRow, Stage } from "./stage.js";
-import { Table } from "./table.js";
 
 /** More axes than these have a row each. */
 const mostStages = 4;
 
-/** Whether the reader wants a table; until then the axes decide. */
+/** Whether the reader wants a table; until then the machine decides. */
 const tableIsWanted = signal<boolean | undefined>(undefined);
 
-/** The axes of the table, if there is one. */
-export function tableOf(axes: readonly AxisView[]): { x: AxisView; y: AxisView } | undefined {
-  const [x, y] = axes;
-  // Two axes with switches of their own are rather two stages than a table.
-  const isTable = axes.length === 2 && axes.every(({ switches }) => switches.length === 0);
-  return x && y && (tableIsWanted.value ?? isTable) ? { x, y } : undefined;
+/** The axes of the table, if one is shown. */
+export function tableOf(card: Card, axes: readonly AxisView[]): TableAxes | undefined {
+  return (tableIsWanted.value ?? isTable(card, axes)) ? tableAxes(card, axes) : undefined;
 }
 
 export interface MachineViewProps {
@@ -36,33 +43,85 @@ export interface MachineViewProps {
 }
 
 export function MachineView({ card, axes, seen, way, words, onInput }: MachineViewProps) {
-  const [x, y] = axes;
-  const table = tableOf(axes);
+  const table = tableOf(card, axes);
+  const others = axes.filter((axis) => !table || !Object.values(table).includes(axis));
   const reachOf = (axis: AxisView) => withSwitches(axis, seen.reaches[axis.axis]);
+  const pins = <Words card={card} words={words} onInput={onInput} />;
   return (
     <div class="machine">
-      {axes.map((axis) => {
-        const isRow = axes.length > mostStages || (table && (axis === x || axis === y));
-        const Shown = isRow ? AxisRow : Stage;
+      <Head card={card} axes={axes} isTable={table !== undefined} words={words} />
+      {table && (
+        <div class="plotter">
+          <Plotter
+            {...table}
+            reachOf={reachOf}
+            way={way}
+            ahead={aheadOf(card.paths, table)}
+            words={words}
+          />
+          <div class="plotter-side">
+            {(["x", "y", "z"] as const).map((name) => {
+              const axis = table[name];
+              return axis && <Coordinate key={name} name={name} axis={axis} words={words} />;
+            })}
+            {pins}
+          </div>
+        </div>
+      )}
+      {others.map((axis) => {
+        const Shown = axes.length > mostStages || table ? AxisRow : Stage;
         return <Shown key={axis.axis} axis={axis} reach={reachOf(axis)} words={words} />;
       })}
-      <div class="machine-rest">
-        {x && y && (
-          <div class="table-box">
-            <label class="row small">
-              <input
-                type="checkbox"
-                checked={table !== undefined}
-                onChange={({ currentTarget }) => (tableIsWanted.value = currentTarget.checked)}
-              />
-              {words.table}: {words.tableAxes(x.axis, y.axis)}
-            </label>
-            {table && (
-              <Table x={x} y={y} reachX={reachOf(x)} reachY={reachOf(y)} way={way} words={words} />
-            )}
-          </div>
-        )}
-        <Words card={card} words={words} onInput={onInput} />
+      {!table && pins}
+    </div>
+  );
+}
+
+/** What the machine is called, and whether it is a table. */
+function Head(props: {
+  card: Card;
+  axes: readonly AxisView[];
+  isTable: boolean;
+  words: MachineWords;
+}) {
+  const { card, axes, words } = props;
+  const { title } = card.view;
+  const canBeTable = tableAxes(card, axes) !== undefined;
+  if (title === "" && !canBeTable) return null;
+  const choice = (wanted: boolean, text: string) => (
+    <button
+      type="button"
+      class="quiet"
+      aria-pressed={props.isTable === wanted}
+      onClick={() => (tableIsWanted.value = wanted)}
+    >
+      {text}
+    </button>
+  );
+  return (
+    <div class="row machine-head">
+      <strong class="grow">{title}</strong>
+      {canBeTable && (
+        <div role="group" aria-label={words.look}>
+          {choice(true, words.table)}
+          {choice(false, words.axes)}
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** An axis of a table. */
+function Coordinate(props: { name: "x" | "y" | "z"; axis: AxisView; words: MachineWords }) {
+  const { name, axis, words } = props;
+  return (
+    <div class={`coordinate ${colourOf(axis.axis)}`}>
+      <div class="row small muted">
+        {name.toUpperCase()} · {words.axis(axis.axis)}
+      </div>
+      <Readings axis={axis} />
+      <div class="row">
+        <States axis={axis} words={words} />
       </div>
     </div>
   );
@@ -78,7 +137,9 @@ function withSwitches(axis: AxisView, reach: Reach | undefined): Reach {
   );
 }
 
-function Words({ card, words, onInput }: Pick<MachineViewProps, "card" | "words" | "onInput">) {
+type WordsProps = Pick<MachineViewProps, "card" | "words" | "onInput">;
+
+function Words({ card, words, onInput }: WordsProps) {
   const outputs = card.words.find(({ name }) => name === "gpo");
   const inputs = card.words.filter(({ kind }) => kind === "input");
   const general = inputs.filter(({ name }) => name === "gpi");

@@ -1,0 +1,31 @@
+// The machine: how a scenario wants it to look.
+
+import { expect, type Page, test } from "@playwright/test";
+
+import { atMaximum, open, openOwn, status, write } from "./support.js";
+
+/** One's own program with this view. */
+async function load(page: Page, view: string): Promise<void> {
+  await open(page);
+  await openOwn(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, `program = "program.c"\n[view]\n${view}`);
+  await expect(status(page)).toHaveText("Card ready.");
+}
+
+async function run(page: Page): Promise<void> {
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+}
+
+test("a table has the scale of its longer axis, and Z beside it", async ({ page }) => {
+  await load(page, 'kind = "xy"\nx = 1\ny = 3\nz = 4\n');
+  await run(page);
+  const table = page.getByRole("img", { name: "XY table at 50000 pulse, 0 pulse, 0 pulse" });
+  await expect(table).toBeVisible();
+  // Both scales end at 50 000.
+  await expect(table.getByText("50000", { exact: true })).toHaveCount(1);
+  await expect(table.getByText("50k", { exact: true })).toHaveCount(1);
+  await expect(table.getByText("Z", { exact: true })).toHaveCount(1);
+});
