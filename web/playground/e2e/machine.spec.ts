@@ -19,6 +19,21 @@ async function run(page: Page): Promise<void> {
   await expect(status(page)).toHaveText("Card: finished.");
 }
 
+// The program moves axis 1 to 50 000 pulses.
+for (const [kind, turn, seen] of [
+  ["rotary", 40_000, "text=90°"],
+  ["conveyor", 10_000, ".belt"],
+  ["gripper", 10_000, ".jaws.open"],
+] as const) {
+  test(`a machine of the kind ${kind}`, async ({ page }) => {
+    await load(page, `kind = "${kind}"\nturn = ${turn}\n`);
+    await run(page);
+    await expect(page.locator('output[data-axis="1"]')).toHaveText("50000 pulse");
+    await expect(page.locator("#machine").locator(seen)).toBeVisible();
+    await expect(page.getByRole("img", { name: /^XY table/ })).toHaveCount(0);
+  });
+}
+
 test("a table has the scale of its longer axis, and Z beside it", async ({ page }) => {
   await load(page, 'kind = "xy"\nx = 1\ny = 3\nz = 4\n');
   await run(page);

@@ -24,7 +24,12 @@ interface AxisProps {
   words: MachineWords;
 }
 
-export function Stage({ axis, reach, words }: AxisProps) {
+/** How far the jaws of a gripper are from its middle. */
+const jaws = { open: 13, closed: 5 };
+
+/** `gripper`: it carries one, which is open or closed. */
+export function Stage(props: AxisProps & { gripper?: "open" | "closed" | undefined }) {
+  const { axis, reach, words, gripper } = props;
   const onRail = (position: number) => left + placeOn(reach, position) * (right - left);
   const at = onRail(axis.actual);
   const commanded = onRail(axis.position);
@@ -70,6 +75,12 @@ export function Stage({ axis, reach, words }: AxisProps) {
         ))}
         <rect x={at - 20} y="13" width="40" height="26" rx="4" class="carriage" />
         <path d={`M${at - 13} 22h26M${at - 13} 30h26`} class="carriage-lines" />
+        {gripper && (
+          <path
+            d={[-1, 1].map((side) => `M${at} 13h${side * jaws[gripper]}v-11`).join("")}
+            class={`jaws ${gripper}`}
+          />
+        )}
         <line x1={at} x2={at} y1="39" y2="50" class="needle" />
         {isApart(axis, reach) && (
           <rect x={commanded - 20} y="13" width="40" height="26" rx="4" class="ghost" />

@@ -10,14 +10,17 @@ import {
   type AxisView,
   grown,
   isTable,
+  pin,
   type Place,
   type Reach,
   type TableAxes,
   tableAxes,
 } from "./axes.js";
+import { Conveyor } from "./conveyor.js";
 import { Pins, type SetInput } from "./pins.js";
 import { Plotter } from "./plotter.js";
 import { colourOf, Readings, States } from "./readings.js";
+import { Rotary } from "./rotary.js";
 import type { Seen } from "./seen.js";
 import { AxisRow, Stage } from "./stage.js";
 
@@ -69,8 +72,13 @@ export function MachineView({ card, axes, seen, way, words, onInput }: MachineVi
         </div>
       )}
       {others.map((axis) => {
-        const Shown = axes.length > mostStages || table ? AxisRow : Stage;
-        return <Shown key={axis.axis} axis={axis} reach={reachOf(axis)} words={words} />;
+        const isRow = axes.length > mostStages || table !== undefined;
+        const props = { axis, reach: reachOf(axis), words };
+        return isRow ? (
+          <AxisRow key={axis.axis} {...props} />
+        ) : (
+          <Picture key={axis.axis} card={card} {...props} />
+        );
       })}
       {!table && pins}
     </div>
@@ -125,6 +133,35 @@ function Coordinate(props: { name: "x" | "y" | "z"; axis: AxisView; words: Machi
       </div>
     </div>
   );
+}
+
+interface PictureProps {
+  card: Card;
+  axis: AxisView;
+  reach: Reach;
+  words: MachineWords;
+}
+
+/** An axis as the kind of the machine wants it. */
+function Picture({ card, axis, reach, words }: PictureProps) {
+  const { kind, x, turn } = card.view;
+  if (axis.axis === x && kind === "rotary") return <Rotary axis={axis} turn={turn} words={words} />;
+  if (axis.axis === x && kind === "conveyor") return <Conveyor axis={axis} words={words} />;
+  const hasGripper = axis.axis === x && kind === "gripper";
+  return (
+    <Stage
+      axis={axis}
+      reach={reach}
+      words={words}
+      gripper={hasGripper ? (gripperIsClosed(card) ? "closed" : "open") : undefined}
+    />
+  );
+}
+
+/** The first output that the machine names closes its gripper. */
+function gripperIsClosed(card: Card): boolean {
+  const output = card.view.pins.find(({ type }) => type === "gpo");
+  return pin(card, "gpo", output?.index ?? 1);
 }
 
 /** A stage also reaches as far as its axis really is, and its switches. */
