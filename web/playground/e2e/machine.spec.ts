@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { atMaximum, open, openOwn, status, write } from "./support.js";
+import { atMaximum, expectAccessible, open, openOwn, status, write } from "./support.js";
 
 /** One's own program with this view. */
 async function load(page: Page, view: string): Promise<void> {
@@ -18,6 +18,29 @@ async function run(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await expect(status(page)).toHaveText("Card: finished.");
 }
+
+test("a machine that names its pins shows only these at first", async ({ page }) => {
+  await load(
+    page,
+    'title = "Drill"\n[[view.pin]]\ntype = "gpo"\nindex = 2\nname = "Spindle"\n' +
+      '[[view.pin]]\nindex = 3\nname = "Door"\n',
+  );
+  const machine = page.locator("#machine");
+  await expect(machine).toContainText("Drill");
+  await expect(machine.getByRole("img", { name: "Spindle: off" })).toContainText("DO 2");
+  await expect(machine.getByRole("button", { name: "Input gpi 1", exact: true })).toBeHidden();
+  const door = machine.getByRole("switch", { name: "Door" });
+  await expect(door).toHaveAttribute("aria-checked", "false");
+  await door.click();
+  await run(page); // the level passes the card's filter
+  await expect(door).toHaveAttribute("aria-checked", "true");
+  await machine.getByText("all inputs and outputs").click();
+  await expect(machine.getByRole("button", { name: "Input gpi 3" })).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+  await expectAccessible(page);
+});
 
 // The program moves axis 1 to 50 000 pulses.
 for (const [kind, turn, seen] of [

@@ -172,15 +172,15 @@ test("the machine follows the debugger, and its inputs can be switched", async (
   await choose(page, "debug", page.locator(".debug-toolbar"));
   await page.getByRole("button", { name: "Show the Machine" }).click();
   const view = page.frameLocator("iframe.webview").frameLocator("#active-frame");
-  const input = view.getByRole("button", { name: "Input gpi 1", exact: true });
-  await expect(view.getByRole("img", { name: /^Axis 1: position 0 pulse/ })).toBeVisible();
+  const input = view.getByRole("switch", { name: "Pen is down" });
+  await expect(view.getByText("XY plotter")).toBeVisible();
 
   await test.step("an input is switched", async () => {
     await input.click();
     // It passes the card's filter.
     await expect(async () => {
       await page.getByRole("button", { name: /^Step Out/ }).click();
-      await expect(input).toHaveAttribute("aria-pressed", "true", { timeout: 500 });
+      await expect(input).toHaveAttribute("aria-checked", "true", { timeout: 500 });
     }).toPass();
   });
 

@@ -17,7 +17,7 @@ import {
   tableAxes,
 } from "./axes.js";
 import { Conveyor } from "./conveyor.js";
-import { Pins, type SetInput } from "./pins.js";
+import { NamedPin, Pins, type SetInput } from "./pins.js";
 import { Plotter } from "./plotter.js";
 import { colourOf, Readings, States } from "./readings.js";
 import { Rotary } from "./rotary.js";
@@ -176,7 +176,24 @@ function withSwitches(axis: AxisView, reach: Reach | undefined): Reach {
 
 type WordsProps = Pick<MachineViewProps, "card" | "words" | "onInput">;
 
-function Words({ card, words, onInput }: WordsProps) {
+/** Where the machine names pins, only these are shown at first. */
+function Words(props: WordsProps) {
+  const { pins } = props.card.view;
+  if (pins.length === 0) return <AllWords {...props} />;
+  return (
+    <div class="words">
+      {pins.map((named) => (
+        <NamedPin key={`${named.type} ${named.index}`} pin={named} {...props} />
+      ))}
+      <details>
+        <summary class="small">{props.words.allPins}</summary>
+        <AllWords {...props} />
+      </details>
+    </div>
+  );
+}
+
+function AllWords({ card, words, onInput }: WordsProps) {
   const outputs = card.words.find(({ name }) => name === "gpo");
   const inputs = card.words.filter(({ kind }) => kind === "input");
   const general = inputs.filter(({ name }) => name === "gpi");
