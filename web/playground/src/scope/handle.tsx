@@ -1,0 +1,80 @@
+// A handle at the right edge of the screen, which the pointer drags and the arrow keys move up and down.
+
+import type { ComponentChildren, TargetedKeyboardEvent } from "preact";
+
+import { divisions } from "./channels.js";
+import { screenPadding } from "./plot.js";
+
+/** How far an arrow key moves a handle, in divisions. */
+const step = 0.5;
+
+interface Props {
+  class: string;
+  label: string;
+  /** Where it stands, in divisions from the middle. */
+  at: number;
+  /** How many handles stand to the right of it. */
+  beside: number;
+  /** What it sets, with the values at the lower and the upper edge. */
+  value: number;
+  least: number;
+  largest: number;
+  /** Puts it elsewhere on the screen, in divisions from the middle. */
+  onPut: (at: number) => void;
+  onTake?: () => void;
+  onDblClick?: () => void;
+  children: ComponentChildren;
+}
+
+function onScreen(at: number): number {
+  return Math.min(divisions, Math.max(-divisions, at));
+}
+
+export function Handle(props: Props) {
+  const { at, beside, onPut } = props;
+  const walk = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
+    const wishes: Record<string, number> = {
+      ArrowUp: at + step,
+      ArrowDown: at - step,
+      Home: -divisions,
+      End: divisions,
+    };
+    const wished = wishes[event.key];
+    if (wished === undefined) return;
+    event.preventDefault();
+    onPut(onScreen(wished));
+  };
+  return (
+    <div
+      class={`handle ${props.class}`}
+      role="slider"
+      tabIndex={0}
+      aria-orientation="vertical"
+      aria-label={props.label}
+      aria-valuemin={props.least}
+      aria-valuemax={props.largest}
+      aria-valuenow={props.value}
+      title={props.label}
+      ref={(element) => {
+        element?.style.setProperty("--at", String((divisions - at) / (2 * divisions)));
+        element?.style.setProperty("--beside", String(beside));
+      }}
+      onKeyDown={walk}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        props.onTake?.();
+      }}
+      onPointerMove={(event) => {
+        if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+        const box = event.currentTarget.parentElement?.getBoundingClientRect();
+        if (!box) return;
+        const height = box.height - screenPadding.top - screenPadding.bottom;
+        const part = (event.clientY - box.top - screenPadding.top) / height;
+        onPut(onScreen(divisions - 2 * divisions * part));
+      }}
+      onDblClick={props.onDblClick}
+    >
+      <span>{props.children}</span>
+    </div>
+  );
+}
