@@ -62,3 +62,18 @@ test("a zero is dragged, moved by keys, and put back by a double click", async (
   await zero.dblclick();
   await expect(zero).toHaveAttribute("aria-valuenow", "0");
 });
+
+test("no handle covers another one", async ({ page }) => {
+  await run(page);
+  const handles = page.locator(".handle");
+  await handles.first().press("ArrowUp");
+  const boxes = await handles.evaluateAll((elements) =>
+    elements.map((each) => each.getBoundingClientRect()),
+  );
+  expect(boxes).toHaveLength(2);
+  const [one, other] = boxes;
+  if (!one || !other) throw new Error("a handle is missing");
+  // Half a division is less than their height.
+  expect(one.bottom).toBeGreaterThan(other.top);
+  expect(other.right).toBeLessThanOrEqual(one.left);
+});

@@ -5,6 +5,9 @@ import type { ComponentChildren, TargetedKeyboardEvent } from "preact";
 import { divisions } from "./channels.js";
 import { screenPadding } from "./plot.js";
 
+/** Its width and height in pixels, as the style has them. */
+export const handleSize = 24;
+
 /** How far an arrow key moves a handle, in divisions. */
 const step = 0.5;
 

@@ -11,10 +11,10 @@ import { texts } from "../texts/texts.js";
 import { ChannelList } from "./channel_list.js";
 import { csvOf, legendOf, readingAt, titleOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
-import { Plot } from "./plot.js";
+import { Handles } from "./handles.js";
+import { Plot, screenPadding } from "./plot.js";
 import { putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
-import { Zeros } from "./zeros.js";
 
 const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
 
@@ -107,7 +107,7 @@ export function ScopePanel() {
               if (time !== undefined) put(held.current, time);
             }}
           />
-          <Zeros />
+          <Handles height={size.height - screenPadding.top - screenPadding.bottom} />
         </div>
       </div>
       {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
