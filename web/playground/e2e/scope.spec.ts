@@ -1,6 +1,6 @@
 // The channels of the scope: cards, handles of their zeros, the scale at the screen.
 
-import { expect, type Page, test } from "@playwright/test";
+import { expect, type Locator, type Page, test } from "@playwright/test";
 
 import { atMaximum, expectAccessible, open, openOwn, status } from "./support.js";
 
@@ -10,6 +10,19 @@ async function run(page: Page): Promise<void> {
   await atMaximum(page);
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await expect(status(page)).toHaveText("Card: finished.");
+}
+
+/** Takes a handle by the pointer; what it returns moves it so many divisions up from there. */
+async function take(page: Page, handle: Locator): Promise<(divisions: number) => Promise<void>> {
+  const screen = await page.locator(".screen").boundingBox();
+  const box = await handle.boundingBox();
+  if (!screen || !box) throw new Error("the scope is not there");
+  const [x, y] = [box.x + 12, box.y + 12];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  // There are eight divisions, between edges of 6 and 24 pixels.
+  return (divisions) =>
+    page.mouse.move(x, y - (divisions * (screen.height - 30)) / 8, { steps: 4 });
 }
 
 test("a card has the present value of its channel, its scale and its unit", async ({ page }) => {
@@ -45,14 +58,8 @@ test("the channel that is chosen has its knobs, and others do not", async ({ pag
 test("a zero is dragged, moved by keys, and put back by a double click", async ({ page }) => {
   await run(page);
   const zero = page.getByRole("slider", { name: "Offset of axis1.prfVel in divisions" });
-  const screen = await page.locator(".screen").boundingBox();
-  const box = await zero.boundingBox();
-  if (!screen || !box) throw new Error("the scope is not there");
-  const [x, y] = [box.x + 12, box.y + 12];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  // Two of eight divisions.
-  await page.mouse.move(x, y + (screen.height - 30) / 4, { steps: 4 });
+  const move = await take(page, zero);
+  await move(-2);
   await page.mouse.up();
   await expect(zero).toHaveAttribute("aria-valuenow", "-2");
   await zero.press("ArrowUp");
@@ -61,6 +68,59 @@ test("a zero is dragged, moved by keys, and put back by a double click", async (
   await expect(zero).toHaveAttribute("aria-valuenow", "4");
   await zero.dblclick();
   await expect(zero).toHaveAttribute("aria-valuenow", "0");
+});
+
+test("the level of the trigger is dragged and moved by keys, on the scale of its source", async ({
+  page,
+}) => {
+  await run(page);
+  const handle = page.getByRole("slider", { name: "Level of the trigger on axis1.prfVel" });
+  await expect(handle).toHaveCount(0);
+  await page.getByLabel("Sweep").selectOption("auto");
+  // The whole run is on the screen: 50 pulse/ms take 20 a division.
+  await page.locator("#scope").getByRole("combobox", { name: "Time" }).selectOption("5000");
+  await expect(page.locator(".screen")).toHaveAttribute("data-to-ms", "5000");
+  await expect(handle).toHaveAttribute("aria-valuetext", "0 pulse/ms");
+  const move = await take(page, handle);
+  await move(2);
+  await page.mouse.up();
+  await expect(handle).toHaveAttribute("aria-valuenow", "40");
+  await expect(page.getByRole("spinbutton", { name: "Level" })).toHaveValue("40");
+  await expect(page.getByText(/^triggered at/)).toBeVisible();
+  await handle.press("ArrowDown");
+  await expect(handle).toHaveAttribute("aria-valuenow", "30");
+  await handle.press("Home");
+  await expect(handle).toHaveAttribute("aria-valuenow", "-80");
+  await page.getByRole("spinbutton", { name: "Level" }).fill("200");
+  await expect(handle).toHaveAttribute("aria-valuetext", "200 pulse/ms, above the screen");
+  await expect(handle).toHaveText("T↑");
+  await handle.press("ArrowUp");
+  await expect(handle).toHaveAttribute("aria-valuenow", "200");
+  await handle.press("ArrowDown");
+  await expect(handle).toHaveAttribute("aria-valuetext", "80 pulse/ms");
+  await expectAccessible(page);
+});
+
+test("the scale stays under a level that is dragged, whatever it shows", async ({ page }) => {
+  await run(page);
+  await page.getByLabel("Sweep").selectOption("auto");
+  await page.locator("#scope").getByRole("combobox", { name: "Time" }).selectOption("100");
+  await page.getByRole("spinbutton", { name: "Level" }).fill("5");
+  const card = page.getByRole("group", { name: "axis1.prfVel" });
+  // 75 ms after the trigger the velocity is 5 + 75 · 0.25 pulse/ms.
+  await expect(card).toContainText("10 per division");
+  const handle = page.getByRole("slider", { name: "Level of the trigger on axis1.prfVel" });
+  const screen = page.locator(".screen");
+  const before = (await screen.getAttribute("data-to-ms")) ?? "";
+  const move = await take(page, handle);
+  await move(2);
+  await expect(handle).toHaveAttribute("aria-valuenow", "25");
+  // The screen shows a later time, whose velocities would take 20 a division.
+  await expect(screen).not.toHaveAttribute("data-to-ms", before);
+  await move(3);
+  await expect(handle).toHaveAttribute("aria-valuenow", "35");
+  await page.mouse.up();
+  await expect(card).toContainText("20 per division");
 });
 
 test("no handle covers another one", async ({ page }) => {

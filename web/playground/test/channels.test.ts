@@ -9,6 +9,7 @@ import {
   readingAt,
   unitsOf,
   unitsPerDivision,
+  valueAt,
   valueNow,
   valuesAtDivisions,
 } from "../src/scope/channels.js";
@@ -30,6 +31,18 @@ test("a channel fits into four divisions by itself", () => {
 
 test("a value in divisions", () => {
   expect(inDivisions(50, 20, -1)).toBe(1.5);
+});
+
+test.each([
+  [2, 20, 0, 40],
+  [0, 20, -1, 20],
+  [-4, 5, 1, -25],
+  [1.52, 20, 0, 30], // a step is 1
+  [1.53, 20, 0, 31],
+  [0.15, 0.2, 0, 0.03],
+  [-0.01, 20, 0, 0],
+])("at %d, with %d per division and the zero at %d, is %d", (at, per, offset, value) => {
+  expect(valueAt(at, per, offset)).toBe(value);
 });
 
 test.each([

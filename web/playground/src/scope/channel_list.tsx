@@ -7,7 +7,7 @@ import { present } from "../session/bench.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 import { channelNames, type Setting, unitsOf, unitsPerDivision, valueNow } from "./channels.js";
-import { addChannel, chooseChannel, removeChannel, scope, setChannel } from "./settings.js";
+import { addChannel, chooseChannel, drawn, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 function variables() {
@@ -18,7 +18,7 @@ export function ChannelList({ sweep }: { sweep: Sweep }) {
   const { scope: t } = texts.value;
   return (
     <div class="channels">
-      {scope.channels.value.map((setting, index) => (
+      {drawn.value.map((setting, index) => (
         <Channel key={setting.name} setting={setting} index={index} sweep={sweep} />
       ))}
       <AddChannel label={t.add} />

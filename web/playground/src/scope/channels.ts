@@ -77,6 +77,15 @@ export function inDivisions(value: number, perDivision: number, offset: number):
   return value / perDivision + offset;
 }
 
+/** A level is set in steps of this part of a division. */
+const levelStep = 1 / 20;
+
+/** The value at a place of the screen, in divisions from the middle, to the nearest step of a level. */
+export function valueAt(at: number, perDivision: number, offset: number): number {
+  const steps = Math.round((at - offset) / levelStep);
+  return Number((steps * levelStep * perDivision).toPrecision(12));
+}
+
 /** The values of a channel at every second division, from below; the others stay empty for room. */
 export function valuesAtDivisions(sweep: Sweep, setting: Setting | undefined): string[] {
   const channel = sweep.channels.find(({ name }) => name === setting?.name);

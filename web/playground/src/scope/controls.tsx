@@ -4,7 +4,7 @@ import type { ComponentChildren } from "preact";
 
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
-import { arm, type Mode, modes, scope, spans, turnKnobs } from "./settings.js";
+import { arm, type Mode, modes, scope, spans, triggers, turnKnobs } from "./settings.js";
 import type { Edge } from "./trigger.js";
 
 function Knob(props: { label: string; children: ComponentChildren }) {
@@ -22,7 +22,6 @@ export function Controls(props: {
   onPng: () => void;
 }) {
   const { scope: t } = texts.value;
-  const triggers = scope.mode.value === "auto" || scope.mode.value === "single";
   return (
     <div class="bar wrap">
       <Knob label={t.mode}>
@@ -55,13 +54,13 @@ export function Controls(props: {
           </select>
         </Knob>
       )}
-      {triggers && <TriggerKnobs />}
+      {triggers.value && <TriggerKnobs />}
       {scope.mode.value === "single" && (
         <button type="button" onClick={arm}>
           {t.arm}
         </button>
       )}
-      {triggers && (
+      {triggers.value && (
         <output class="small muted">
           {props.trigger === undefined ? t.armed : t.triggered(number(props.trigger))}
         </output>

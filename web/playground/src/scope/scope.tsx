@@ -13,7 +13,7 @@ import { csvOf, legendOf, readingAt, titleOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Handles } from "./handles.js";
 import { Plot, screenPadding } from "./plot.js";
-import { putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
+import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
@@ -47,7 +47,7 @@ export function ScopePanel() {
   const look = isDark() ? "dark" : "light";
   useEffect(() => {
     if (size.width < 20 || size.height < 20) return;
-    const { value: channels } = scope.channels;
+    const { value: channels } = drawn;
     const scaleOf = channels.findIndex(({ name }) => name === scope.chosen.value);
     plot.current?.draw(
       sweep,
@@ -55,7 +55,7 @@ export function ScopePanel() {
       { cursors: scope.cursors.value ?? [], trigger, scaleOf },
       look,
     );
-  }, [sweep, trigger, scope.channels.value, scope.chosen.value, scope.cursors.value, look, size]);
+  }, [sweep, trigger, drawn.value, scope.chosen.value, scope.cursors.value, look, size]);
 
   const held = useRef<0 | 1>(0);
   const put = (which: 0 | 1, time: number) => {
@@ -75,7 +75,7 @@ export function ScopePanel() {
           );
         }}
         onPng={() => {
-          const { value: channels } = scope.channels;
+          const { value: channels } = drawn;
           const legend = legendOf(sweep, channels, unitsOf(present.card.value));
           const { title } = source.lesson.value;
           const heading = `${title[settings.language.value]}, ${number(sweep.fromMs)} … ${number(sweep.toMs)} ms`;
@@ -107,7 +107,7 @@ export function ScopePanel() {
               if (time !== undefined) put(held.current, time);
             }}
           />
-          <Handles height={size.height - screenPadding.top - screenPadding.bottom} />
+          <Handles sweep={sweep} height={size.height - screenPadding.top - screenPadding.bottom} />
         </div>
       </div>
       {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}

@@ -1,7 +1,7 @@
 // What the reader has set at the scope, and the sweep that follows from it.
 
 import type { Engine } from "@oncard/engine";
-import { effect } from "@preact/signals";
+import { computed, effect } from "@preact/signals";
 
 import { bench, present, session } from "../session/bench.js";
 import { record } from "../session/record.js";
@@ -35,6 +35,13 @@ interface Scope extends Knobs {
   armedAt: number;
   /** Times of the cursors A and B in ms. */
   cursors: [number, number] | undefined;
+  /** The scale of a channel that stays as it is, whatever is on the screen. */
+  heldScale: HeldScale | undefined;
+}
+
+interface HeldScale {
+  name: string;
+  perDivision: number;
 }
 
 const [scope, change] = slice<Scope>({
@@ -48,8 +55,20 @@ const [scope, change] = slice<Scope>({
   chosen: "",
   armedAt: 0,
   cursors: undefined,
+  heldScale: undefined,
 });
 export { scope };
+
+/** Whether the sweep waits for a trigger. */
+export const triggers = computed(() => ["auto", "single"].includes(scope.mode.value));
+
+/** The channels as they are drawn. */
+export const drawn = computed<Setting[]>(() => {
+  const { value: held } = scope.heldScale;
+  return scope.channels.value.map((setting) =>
+    setting.name === held?.name ? { ...setting, perDivision: held.perDivision } : setting,
+  );
+});
 
 /** At most this many parts are searched for a trigger. */
 const searchParts = 20_000;
@@ -117,6 +136,14 @@ export function chooseChannel(name: string): void {
 export function setChannel(setting: Setting): void {
   const channels = scope.channels.peek();
   change({ channels: channels.map((each) => (each.name === setting.name ? setting : each)) });
+}
+
+/**
+ * A level that is dragged leads to another trigger, and so to other values. The scale under the pointer is
+ * held meanwhile: otherwise each would move the other.
+ */
+export function holdScale(heldScale: HeldScale | undefined): void {
+  change({ heldScale });
 }
 
 export interface Shown {
