@@ -252,9 +252,14 @@ for (const width of [390, 1024, 1280, 1440]) {
     }
     await page.getByLabel("Sweep").selectOption("single");
     const arm = await page.getByRole("button", { name: "Arm" }).boundingBox();
+    const csv = await page.getByRole("button", { name: "CSV" }).boundingBox();
     const saved = await page.getByRole("button", { name: "PNG" }).boundingBox();
+    const says = await page.getByText("waiting for the trigger").boundingBox();
     const screen = await page.locator(".screen").boundingBox();
-    if (!arm || !saved || !screen) throw new Error("a part of the scope is missing");
+    if (!arm || !csv || !saved || !says || !screen) {
+      throw new Error("a part of the scope is missing");
+    }
+    expect(csv.y >= says.y + says.height || csv.x >= says.x + says.width).toBe(true);
     expect(screen.y).toBeGreaterThanOrEqual(arm.y + arm.height);
     expect(screen.y).toBeGreaterThanOrEqual(saved.y + saved.height);
     expect(screen.height).toBeGreaterThanOrEqual(140);

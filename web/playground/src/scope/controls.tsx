@@ -65,7 +65,7 @@ export function Controls(props: {
           {props.trigger === undefined ? t.armed : t.triggered(number(props.trigger))}
         </output>
       )}
-      <div class="row end grow">
+      <div class="row scope-files">
         <button type="button" class="quiet" aria-label={t.csvLabel} onClick={props.onCsv}>
           {t.csv}
         </button>
