@@ -137,3 +137,15 @@ test("no handle covers another one", async ({ page }) => {
   expect(one.bottom).toBeGreaterThan(other.top);
   expect(other.right).toBeLessThanOrEqual(one.left);
 });
+
+test("values end at the present, where the screen shows more", async ({ page }) => {
+  await run(page);
+  await page.getByLabel("Sweep").selectOption("roll");
+  await page.locator("#scope").getByRole("combobox", { name: "Time" }).selectOption("5000");
+  await page.getByRole("checkbox", { name: "Cursors" }).check();
+  await page.getByLabel("Cursor A, ms").fill("2000");
+  await page.getByLabel("Cursor B, ms").fill("4000");
+  // Axis 1 travels 1300 ms; the run ends at 2500 ms.
+  const readings = page.locator('[data-channel="axis1.prfVel"] td');
+  await expect(readings).toHaveText(["0", "", "", ""]);
+});

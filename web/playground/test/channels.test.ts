@@ -15,8 +15,9 @@ import {
 } from "../src/scope/channels.js";
 import { cardWith } from "./card.js";
 
+/** Four parts of 2 ms; the screen ends later. */
 const velocity = { name: "v", least: [0, 10, -3, 40], largest: [0, 20, 50, 40] };
-const sweep = { fromMs: 0, toMs: 8, channels: [velocity] };
+const sweep = { fromMs: 0, toMs: 10, endMs: 8, channels: [velocity] };
 
 test("extremes are those of both ends", () => {
   expect(extremes(velocity)).toEqual({ least: -3, largest: 50 });

@@ -5,7 +5,8 @@ import { triggerTime, windowAround } from "../src/scope/trigger.js";
 /** Ten parts of a millisecond each. */
 const sweep = {
   fromMs: 100,
-  toMs: 110,
+  toMs: 120,
+  endMs: 110,
   channels: [
     {
       name: "ramp",

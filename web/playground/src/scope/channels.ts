@@ -5,7 +5,7 @@ import type { Card, Channel, Variable } from "@oncard/engine";
 
 import { roundUp } from "../machine/axes.js";
 import { number } from "../texts/number.js";
-import type { Sweep } from "./trigger.js";
+import { partWidth, type Sweep } from "./trigger.js";
 
 /** A channel as the reader has set it. */
 export interface Setting {
@@ -113,9 +113,9 @@ export function readingAt(
   timeMs: number,
 ): { least: number; largest: number } | undefined {
   const channel = sweep.channels.find((each) => each.name === name);
-  if (!channel || timeMs < sweep.fromMs || timeMs > sweep.toMs) return undefined;
+  if (!channel || timeMs < sweep.fromMs || timeMs > sweep.endMs) return undefined;
   const parts = channel.least.length;
-  const part = Math.floor(((timeMs - sweep.fromMs) / (sweep.toMs - sweep.fromMs)) * parts);
+  const part = Math.floor((timeMs - sweep.fromMs) / partWidth(sweep, parts));
   const index = Math.min(parts - 1, part);
   const low = channel.least[index];
   const high = channel.largest[index];
@@ -127,7 +127,7 @@ export function csvOf(sweep: Sweep, units: Units): string {
   const titles = sweep.channels.map(({ name }) => titleOf(name, units));
   const head = titles.flatMap((title) => [`${title} min`, `${title} max`]);
   const parts = sweep.channels[0]?.least.length ?? 0;
-  const width = (sweep.toMs - sweep.fromMs) / Math.max(1, parts);
+  const width = partWidth(sweep, parts);
   const rows = Array.from({ length: parts }, (_, index) => [
     Number((sweep.fromMs + index * width).toFixed(6)),
     ...sweep.channels.flatMap(({ least, largest }) => [least[index] ?? "", largest[index] ?? ""]),

@@ -10,7 +10,7 @@ import {
   unitsPerDivision,
   valuesAtDivisions,
 } from "./channels.js";
-import type { Sweep } from "./trigger.js";
+import { partWidth, type Sweep } from "./trigger.js";
 
 /** Colours by the place of a channel; those of the page's style. */
 export function channelColour(index: number): string {
@@ -26,7 +26,7 @@ function colour(name: string): string {
 /** The envelope: at the time of each part its least and its largest value. */
 export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
   const parts = sweep.channels[0]?.least.length ?? 0;
-  const width = (sweep.toMs - sweep.fromMs) / Math.max(1, parts);
+  const width = partWidth(sweep, parts);
   const times: number[] = [];
   for (let index = 0; index < parts; ++index) {
     const begin = sweep.fromMs + index * width;

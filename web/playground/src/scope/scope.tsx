@@ -16,7 +16,7 @@ import { Plot, screenPadding } from "./plot.js";
 import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
-const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
+const emptySweep: Sweep = { fromMs: 0, toMs: 1000, endMs: 0, channels: [] };
 
 export function ScopePanel() {
   const { scope: t } = texts.value;

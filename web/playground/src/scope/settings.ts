@@ -8,7 +8,7 @@ import { record } from "../session/record.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
 import type { Setting } from "./channels.js";
-import { type Edge, type Sweep, triggerTime, windowAround } from "./trigger.js";
+import { type Edge, type Sweep, triggerTime, type TimeWindow, windowAround } from "./trigger.js";
 
 export const modes = ["whole", "auto", "single", "roll"] as const;
 export type Mode = (typeof modes)[number];
@@ -176,32 +176,36 @@ export async function sweepNow(parts: number): Promise<Shown> {
   const width = scope.spanMs.peek();
   const engine = await bench.engine();
   const last = { fromMs: Math.max(0, now - width), toMs: Math.max(now, width) };
-  if (now === 0) return { sweep: { fromMs: 0, toMs: width, channels: [] } };
+  if (now === 0) return { sweep: { fromMs: 0, toMs: width, endMs: 0, channels: [] } };
+  const sweepIn = (window: TimeWindow) => sweepOf(engine, names, window, now, parts);
   switch (scope.mode.peek()) {
     case "whole":
-      return { sweep: await sweepOf(engine, names, { fromMs: 0, toMs: now }, parts) };
+      return { sweep: await sweepIn({ fromMs: 0, toMs: now }) };
     case "roll":
-      return { sweep: await sweepOf(engine, names, last, parts) };
+      return { sweep: await sweepIn(last) };
     case "auto":
     case "single": {
       const trigger = await findTrigger(engine, now);
-      if (trigger === undefined) return { sweep: await sweepOf(engine, names, last, parts) };
+      if (trigger === undefined) return { sweep: await sweepIn(last) };
       const window = windowAround(trigger, width, scope.before.peek());
-      return { sweep: await sweepOf(engine, names, window, parts), trigger };
+      return { sweep: await sweepIn(window), trigger };
     }
   }
 }
 
-/** A sweep ends at the present: what lies behind it has no values yet. */
+/** The values in a window end at the present; so many parts would fill all of it. */
 async function sweepOf(
   engine: Engine,
   names: string[],
-  window: { fromMs: number; toMs: number },
+  window: TimeWindow,
+  now: number,
   parts: number,
 ): Promise<Sweep> {
-  const known =
-    names.length === 0 ? [] : await engine.trace(names, window.fromMs, window.toMs, parts);
-  return { ...window, channels: known };
+  const { fromMs, toMs } = window;
+  const endMs = Math.min(toMs, now);
+  const filled = Math.max(1, Math.round((parts * (endMs - fromMs)) / (toMs - fromMs)));
+  const channels = names.length === 0 ? [] : await engine.trace(names, fromMs, endMs, filled);
+  return { ...window, endMs, channels };
 }
 
 /** Single: the first trigger since it was armed. Auto: the last one. */
@@ -211,7 +215,7 @@ async function findTrigger(engine: Engine, now: number): Promise<number | undefi
   const fromMs = isSingle ? Math.min(scope.armedAt.peek(), now) : 0;
   const [channel] = await engine.trace([scope.source.peek()], fromMs, now, searchParts);
   if (!channel) return undefined;
-  const sweep = { fromMs, toMs: now, channels: [channel] };
+  const sweep = { fromMs, toMs: now, endMs: now, channels: [channel] };
   const trigger = {
     source: scope.source.peek(),
     level: scope.level.peek(),

@@ -5,10 +5,16 @@ import type { Channel } from "@oncard/engine";
 
 export type Edge = "rising" | "falling" | "either";
 
-/** Values in equal parts of the time from `fromMs` to `toMs`. */
-export interface Sweep {
+/** The time that the screen shows. */
+export interface TimeWindow {
   fromMs: number;
   toMs: number;
+}
+
+/** Values in equal parts of the time from the beginning of the screen to `endMs`. */
+export interface Sweep extends TimeWindow {
+  /** The present, where it lies within the screen. */
+  endMs: number;
   channels: Channel[];
 }
 
@@ -18,9 +24,9 @@ export interface Trigger {
   edge: Edge;
 }
 
-/** The middle of a part. */
-export function timeOf({ fromMs, toMs }: Sweep, index: number, parts: number): number {
-  return fromMs + ((index + 0.5) / parts) * (toMs - fromMs);
+/** How long each of so many parts of the sweep is, in ms. */
+export function partWidth({ fromMs, endMs }: Sweep, parts: number): number {
+  return (endMs - fromMs) / Math.max(1, parts);
 }
 
 /**
@@ -37,7 +43,7 @@ export function triggerTime(
   const { least, largest } = channel;
   const { level, edge } = trigger;
   const parts = least.length;
-  const width = (sweep.toMs - sweep.fromMs) / parts;
+  const width = partWidth(sweep, parts);
   for (let index = 0; index < parts; ++index) {
     const begin = sweep.fromMs + index * width;
     if (begin < afterMs) continue;
@@ -53,11 +59,7 @@ export function triggerTime(
 }
 
 /** The window of a triggered sweep: `before` of it, from 0 to 1, lies before the trigger. */
-export function windowAround(
-  timeMs: number,
-  spanMs: number,
-  before: number,
-): { fromMs: number; toMs: number } {
+export function windowAround(timeMs: number, spanMs: number, before: number): TimeWindow {
   const fromMs = Math.max(0, timeMs - spanMs * before);
   return { fromMs, toMs: fromMs + spanMs };
 }
