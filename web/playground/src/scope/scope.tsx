@@ -1,4 +1,4 @@
-// The oscilloscope: controls, the screen, cursors with their readings, and what can be saved.
+// The oscilloscope: controls, the screen with its cursors, and what can be saved.
 
 import { useEffect, useRef, useState } from "preact/hooks";
 
@@ -9,8 +9,9 @@ import { source } from "../store/source.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 import { ChannelList } from "./channel_list.js";
-import { csvOf, legendOf, readingAt, titleOf, unitsOf } from "./channels.js";
+import { csvOf, legendOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
+import { Cursors } from "./cursors.js";
 import { Handles } from "./handles.js";
 import { Plot, screenPadding } from "./plot.js";
 import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
@@ -112,88 +113,6 @@ export function ScopePanel() {
       </div>
       {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
       <Cursors sweep={sweep} onPut={put} />
-    </div>
-  );
-}
-
-function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => void }) {
-  const { sweep, onPut } = props;
-  const { scope: t } = texts.value;
-  const isOn = scope.cursors.value !== undefined;
-  const [a, b] = scope.cursors.value ?? [0, 0];
-  const units = unitsOf(present.card.value);
-  const step = (sweep.toMs - sweep.fromMs) / 200;
-  return (
-    <div class="cursors">
-      <label class="row small">
-        <input
-          type="checkbox"
-          checked={isOn}
-          onChange={({ currentTarget }) => {
-            const quarter = (sweep.toMs - sweep.fromMs) / 4;
-            putCursors(
-              currentTarget.checked ? [sweep.fromMs + quarter, sweep.toMs - quarter] : undefined,
-            );
-          }}
-        />
-        {t.cursors}
-      </label>
-      {isOn && (
-        <div class="scroll" tabIndex={0} role="group" aria-label={t.cursors}>
-          <table class="values">
-            <thead>
-              <tr>
-                <th scope="col">{t.channel}</th>
-                {[a, b].map((time, index) => {
-                  const name = index === 0 ? "A" : "B";
-                  return (
-                    <th key={name} scope="col" class="number">
-                      <label>
-                        {name}{" "}
-                        <input
-                          type="number"
-                          class="cursor-time"
-                          aria-label={`${t.cursor(name)}, ms`}
-                          step={step}
-                          value={number(time)}
-                          onInput={({ currentTarget }) => {
-                            const to = currentTarget.valueAsNumber;
-                            if (Number.isFinite(to)) onPut(index === 0 ? 0 : 1, to);
-                          }}
-                        />{" "}
-                        ms
-                      </label>
-                    </th>
-                  );
-                })}
-                <th scope="col" class="number">
-                  {t.difference} {number(b - a)} ms
-                  {b !== a && `, ${number(1000 / Math.abs(b - a))} Hz`}
-                </th>
-                <th scope="col" class="number">
-                  {t.slope}
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {scope.channels.value.map(({ name }) => {
-                const atA = readingAt(sweep, name, a)?.largest;
-                const atB = readingAt(sweep, name, b)?.largest;
-                const both = atA !== undefined && atB !== undefined;
-                return (
-                  <tr key={name} data-channel={name}>
-                    <th scope="row">{titleOf(name, units)}</th>
-                    <td class="number">{atA === undefined ? "" : number(atA)}</td>
-                    <td class="number">{atB === undefined ? "" : number(atB)}</td>
-                    <td class="number">{both ? number(atB - atA) : ""}</td>
-                    <td class="number">{both && b !== a ? number((atB - atA) / (b - a)) : ""}</td>
-                  </tr>
-                );
-              })}
-            </tbody>
-          </table>
-        </div>
-      )}
     </div>
   );
 }
