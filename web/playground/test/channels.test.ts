@@ -88,14 +88,18 @@ test("values of the card have the units that it says", () => {
   expect(unitsOf(undefined).size).toBe(0);
 });
 
-test("channels are the values of the card and the variables", () => {
+test("channels are the values of the card, the variables, and pins", () => {
   const prfVel = { name: "prfVel", path: "axis1.prfVel", value: 0 };
-  const card = cardWith({ parts: [{ part: "axis", number: 1, values: [prfVel] }] });
+  const card = cardWith({
+    parts: [{ part: "axis", number: 1, values: [prfVel] }],
+    words: [{ name: "mpg", kind: "input", value: 0, pins: 2 }],
+  });
   const variables = [
     { name: "a", path: "a", type: "int", slot: 0, value: [1, 2] },
     { name: "x", path: "page0.x", type: "int", slot: 0, value: 1 },
   ];
-  expect(channelNames(card, variables)).toEqual(["a[0]", "a[1]", "page0.x", "axis1.prfVel"]);
+  const others = ["a[0]", "a[1]", "page0.x", "axis1.prfVel"];
+  expect(channelNames(card, variables)).toEqual([...others, "mpg[1]", "mpg[2]"]);
 });
 
 test.each([
@@ -106,6 +110,8 @@ test.each([
   ["a", undefined],
   ["a[9]", undefined],
   ["gone", undefined],
+  ["gpi[3]", 1],
+  ["gpi[2]", 0],
 ])("the present value of %s", (name, value) => {
   const variable = { type: "int", slot: 0 };
   const variables = [
@@ -114,7 +120,9 @@ test.each([
     { ...variable, name: "a", path: "page0.a", value: [2] },
   ];
   const prfPos = { name: "prfPos", path: "axis1.prfPos", value: 12.5 };
-  const card = cardWith({ parts: [{ part: "axis", number: 1, values: [prfPos] }] });
+  const gpi = { name: "gpi", kind: "input" as const, value: 0b101, pins: 16 };
+  const parts = [{ part: "axis", number: 1, values: [prfPos] }];
+  const card = cardWith({ parts, words: [gpi] });
   expect(valueNow(card, variables, name)).toBe(value);
 });
 

@@ -5,6 +5,7 @@ import type { Card, Channel, Variable } from "@oncard/engine";
 
 import { roundUp } from "../machine/axes.js";
 import { number } from "../texts/number.js";
+import { levelOfPin, pinNames } from "./digital.js";
 import { partWidth, type Sweep } from "./trigger.js";
 
 /** A channel as the reader has set it. */
@@ -19,13 +20,14 @@ export interface Setting {
 /** Divisions above and below the middle. */
 export const divisions = 4;
 
-/** Names that `trace` understands: values of the card, its words, and variables. */
+/** Names that `trace` understands: variables, values of the card, and pins of its words. */
 export function channelNames(card: Card | undefined, variables: Variable[]): string[] {
   return [
     ...variables.flatMap(({ path, value }) =>
       Array.isArray(value) ? value.slice(0, 16).map((_, index) => `${path}[${index}]`) : [path],
     ),
     ...(card?.parts ?? []).flatMap(({ values }) => values.map(({ path }) => path)),
+    ...pinNames(card, variables),
   ];
 }
 
@@ -39,6 +41,7 @@ export function valueNow(
   const valueOf = (wanted: string) => values.find(({ path }) => path === wanted)?.value;
   const element = /^(.*)\[(\d+)\]$/.exec(name);
   const value = valueOf(element?.[1] ?? name);
+  if (value === undefined) return levelOfPin(name, card, variables);
   return typeof value === "object" ? value[Number(element?.[2])] : value;
 }
 
