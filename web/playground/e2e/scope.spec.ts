@@ -80,6 +80,7 @@ test("the level of the trigger is dragged and moved by keys, on the scale of its
   // The whole run is on the screen: 50 pulse/ms take 20 a division.
   await page.locator("#scope").getByRole("combobox", { name: "Time" }).selectOption("5000");
   await expect(page.locator(".screen")).toHaveAttribute("data-to-ms", "5000");
+  await expect(page.getByRole("group", { name: "axis1.prfVel" })).toContainText("20 per division");
   await expect(handle).toHaveAttribute("aria-valuetext", "0 pulse/ms");
   const move = await take(page, handle);
   await move(2);
@@ -148,4 +149,53 @@ test("values end at the present, where the screen shows more", async ({ page }) 
   // Axis 1 travels 1300 ms; the run ends at 2500 ms.
   const readings = page.locator('[data-channel="axis1.prfVel"] td');
   await expect(readings).toHaveText(["0", "", "", ""]);
+});
+
+/** Whether a line is drawn at a place of the screen, in pixels from its upper left corner. */
+async function isDrawn(page: Page, x: number, y: number): Promise<boolean> {
+  return page.locator(".screen canvas").evaluate(
+    (canvas, at) => {
+      const context = (canvas as HTMLCanvasElement).getContext("2d");
+      const [x, y] = [at.x * devicePixelRatio, at.y * devicePixelRatio];
+      const alpha = context?.getImageData(x, y, 1, 1).data[3] ?? 0;
+      return alpha > 128;
+    },
+    { x, y },
+  );
+}
+
+test("a digital channel has a lane below the curves", async ({ page }) => {
+  await run(page);
+  await page.getByLabel("Add a channel").fill("axis1.moving");
+  const card = page.getByRole("group", { name: "axis1.moving" });
+  await expect(card).toContainText("digital");
+  await expect(card.locator("strong")).toHaveText("0");
+  await expect(card.getByRole("spinbutton")).toHaveCount(0);
+  await expect(page.getByRole("slider", { name: /^Offset of/ })).toHaveCount(2);
+  const screen = await page.locator(".screen").boundingBox();
+  if (!screen) throw new Error("the scope is not there");
+  // Its lane of 22 pixels stands above the times, which have 24: a line for 1 is 5 below its upper edge, one
+  // for 0 3 above its lower edge. Axis 1 moves in the first half of the run.
+  const [high, low] = [screen.height - 24 - 22 + 5, screen.height - 24 - 3];
+  const [early, late] = [56 + 60, screen.width - 40];
+  await expect.poll(() => isDrawn(page, early, high)).toBe(true);
+  expect(await isDrawn(page, early, low)).toBe(false);
+  expect(await isDrawn(page, late, high)).toBe(false);
+  expect(await isDrawn(page, late, low)).toBe(true);
+  // The divisions end above the lane, and so does the middle of the curves.
+  const zero = await page.locator(".handle").first().boundingBox();
+  expect((zero?.y ?? 0) + 12 - screen.y).toBeCloseTo(6 + (screen.height - 6 - 22 - 24) / 2, 0);
+  await expectAccessible(page);
+});
+
+test("a digital channel triggers at its edges, without a level", async ({ page }) => {
+  await run(page);
+  await page.getByLabel("Add a channel").fill("axis2.moving");
+  await page.getByLabel("Sweep").selectOption("auto");
+  await expect(page.getByRole("spinbutton", { name: "Level" })).toBeVisible();
+  await page.getByLabel("Source").selectOption("axis2.moving");
+  await expect(page.getByRole("spinbutton", { name: "Level" })).toHaveCount(0);
+  await expect(page.getByRole("slider", { name: /^Level of/ })).toHaveCount(0);
+  // Axis 2 begins after axis 1 has travelled 1300 ms.
+  await expect(page.getByText(/^triggered at 13\d\d/)).toBeVisible();
 });

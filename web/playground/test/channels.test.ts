@@ -70,12 +70,14 @@ test("CSV has a row for each part", () => {
 });
 
 test("the legend of the picture says what a division is", () => {
-  const settings = [
-    { name: "v", offset: 0 },
-    { name: "gone", offset: 0 },
+  const drawn = [
+    { name: "v", offset: 0, isDigital: false },
+    { name: "gone", offset: 0, isDigital: false },
   ];
-  expect(legendOf(sweep, settings, new Map([["v", "mm/s"]]))).toEqual(["v: 20 mm/s/div", "gone"]);
-  expect(legendOf(sweep, settings, new Map())).toEqual(["v: 20/div", "gone"]);
+  expect(legendOf(sweep, drawn, new Map([["v", "mm/s"]]))).toEqual(["v: 20 mm/s/div", "gone"]);
+  expect(legendOf(sweep, drawn, new Map())).toEqual(["v: 20/div", "gone"]);
+  const lane = { name: "v", offset: 0, isDigital: true };
+  expect(legendOf(sweep, [lane], new Map())).toEqual(["v"]);
 });
 
 test("values of the card have the units that it says", () => {
@@ -127,9 +129,11 @@ test.each([
 });
 
 test("every second division has its value", () => {
-  const at = (offset: number) => valuesAtDivisions(sweep, { name: "v", offset, perDivision: 20 });
+  const curve = { name: "v", perDivision: 20, isDigital: false };
+  const at = (offset: number) => valuesAtDivisions(sweep, { ...curve, offset });
   expect(at(0)).toEqual(["-80", "", "-40", "", "0", "", "40", "", "80"]);
   expect(at(-2)).toEqual(["-40", "", "0", "", "40", "", "80", "", "120"]);
   expect(valuesAtDivisions(sweep, undefined).join("")).toBe("");
-  expect(valuesAtDivisions(sweep, { name: "gone", offset: 0 }).join("")).toBe("");
+  expect(valuesAtDivisions(sweep, { ...curve, name: "gone", offset: 0 }).join("")).toBe("");
+  expect(valuesAtDivisions(sweep, { ...curve, offset: 0, isDigital: true }).join("")).toBe("");
 });

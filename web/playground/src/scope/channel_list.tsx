@@ -6,7 +6,7 @@ import { useState } from "preact/hooks";
 import { present } from "../session/bench.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
-import { channelNames, type Setting, unitsOf, unitsPerDivision, valueNow } from "./channels.js";
+import { channelNames, type Drawn, unitsOf, unitsPerDivision, valueNow } from "./channels.js";
 import { addChannel, chooseChannel, drawn, removeChannel, scope, setChannel } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
@@ -26,7 +26,7 @@ export function ChannelList({ sweep }: { sweep: Sweep }) {
   );
 }
 
-function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
+function Channel(props: { setting: Drawn; index: number; sweep: Sweep }) {
   const { setting, index, sweep } = props;
   const { scope: t } = texts.value;
   const values = sweep.channels.find(({ name }) => name === setting.name);
@@ -45,7 +45,9 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
       >
         <span class="channel-name">{setting.name}</span>
         <strong>{now === undefined ? "" : number(now)}</strong>
-        <span class="small muted">{scale === "" ? "" : t.scaleOf(scale)}</span>
+        <span class="small muted">
+          {setting.isDigital ? t.digital : scale === "" ? "" : t.scaleOf(scale)}
+        </span>
         <span class="unit small muted">{unitsOf(present.card.value).get(setting.name)}</span>
       </button>
       {isChosen && <Knobs setting={setting} scale={scale} />}
@@ -53,27 +55,29 @@ function Channel(props: { setting: Setting; index: number; sweep: Sweep }) {
   );
 }
 
-function Knobs({ setting, scale }: { setting: Setting; scale: string }) {
+function Knobs({ setting, scale }: { setting: Drawn; scale: string }) {
   const { scope: t } = texts.value;
   return (
     <div class="channel-knobs">
-      <label class="small muted">
-        {t.scale}{" "}
-        <input
-          type="number"
-          min="0"
-          step="any"
-          class="narrow"
-          placeholder={scale}
-          aria-label={t.perDivision(setting.name)}
-          value={setting.perDivision ?? ""}
-          onChange={({ currentTarget }) => {
-            const units = currentTarget.valueAsNumber;
-            const { name, offset } = setting;
-            setChannel(units > 0 ? { name, offset, perDivision: units } : { name, offset });
-          }}
-        />
-      </label>
+      {!setting.isDigital && (
+        <label class="small muted">
+          {t.scale}{" "}
+          <input
+            type="number"
+            min="0"
+            step="any"
+            class="narrow"
+            placeholder={scale}
+            aria-label={t.perDivision(setting.name)}
+            value={setting.perDivision ?? ""}
+            onChange={({ currentTarget }) => {
+              const units = currentTarget.valueAsNumber;
+              const { name, offset } = setting;
+              setChannel(units > 0 ? { name, offset, perDivision: units } : { name, offset });
+            }}
+          />
+        </label>
+      )}
       <button
         type="button"
         class="quiet"

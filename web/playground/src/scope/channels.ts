@@ -17,6 +17,12 @@ export interface Setting {
   offset: number;
 }
 
+/** A channel as it is drawn. */
+export interface Drawn extends Setting {
+  /** Only 0 and 1: it has a lane instead of a scale. */
+  isDigital: boolean;
+}
+
 /** Divisions above and below the middle. */
 export const divisions = 4;
 
@@ -90,19 +96,19 @@ export function valueAt(at: number, perDivision: number, offset: number): number
 }
 
 /** The values of a channel at every second division, from below; the others stay empty for room. */
-export function valuesAtDivisions(sweep: Sweep, setting: Setting | undefined): string[] {
+export function valuesAtDivisions(sweep: Sweep, setting: Drawn | undefined): string[] {
   const channel = sweep.channels.find(({ name }) => name === setting?.name);
   return Array.from({ length: 2 * divisions + 1 }, (_, index) => {
-    if (!setting || !channel || index % 2 !== 0) return "";
+    if (!setting || setting.isDigital || !channel || index % 2 !== 0) return "";
     return number((index - divisions - setting.offset) * unitsPerDivision(setting, channel));
   });
 }
 
-/** What the picture says of each channel: its name and how much a division is. */
-export function legendOf(sweep: Sweep, settings: Setting[], units: Units): string[] {
-  return settings.map((setting) => {
+/** What the picture says of each channel: its name and, of a curve, how much a division is. */
+export function legendOf(sweep: Sweep, drawn: Drawn[], units: Units): string[] {
+  return drawn.map((setting) => {
     const channel = sweep.channels.find(({ name }) => name === setting.name);
-    if (!channel) return setting.name;
+    if (!channel || setting.isDigital) return setting.name;
     const unit = units.get(setting.name);
     const per = number(unitsPerDivision(setting, channel), 6);
     return `${setting.name}: ${per}${unit === undefined ? "" : ` ${unit}`}/div`;

@@ -4,7 +4,16 @@ import type { ComponentChildren } from "preact";
 
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
-import { arm, type Mode, modes, scope, spans, triggers, turnKnobs } from "./settings.js";
+import {
+  arm,
+  drawnSource,
+  type Mode,
+  modes,
+  scope,
+  spans,
+  triggers,
+  turnKnobs,
+} from "./settings.js";
 import type { Edge } from "./trigger.js";
 
 function Knob(props: { label: string; children: ComponentChildren }) {
@@ -95,18 +104,20 @@ function TriggerKnobs() {
           ))}
         </select>
       </Knob>
-      <Knob label={t.level}>
-        <input
-          type="number"
-          step="any"
-          class="narrow"
-          value={scope.level.value}
-          onInput={({ currentTarget }) => {
-            const to = currentTarget.valueAsNumber;
-            if (Number.isFinite(to)) turnKnobs({ level: to });
-          }}
-        />
-      </Knob>
+      {!drawnSource.value?.isDigital && (
+        <Knob label={t.level}>
+          <input
+            type="number"
+            step="any"
+            class="narrow"
+            value={scope.level.value}
+            onInput={({ currentTarget }) => {
+              const to = currentTarget.valueAsNumber;
+              if (Number.isFinite(to)) turnKnobs({ level: to });
+            }}
+          />
+        </Knob>
+      )}
       <Knob label={t.edge}>
         <select
           value={scope.edge.value}

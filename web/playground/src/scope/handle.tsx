@@ -16,6 +16,8 @@ interface Props {
   label: string;
   /** Where it is, in divisions from the middle. Outside of the screen it stands at the edge. */
   at: number;
+  /** How high the divisions are together, in pixels. */
+  height: number;
   /** How many handles stand to the right of it. */
   beside: number;
   /** What it sets, with the values at the lower and the upper edge. */
@@ -38,7 +40,7 @@ export function onScreen(at: number): number {
 }
 
 export function Handle(props: Props) {
-  const { at, beside, onPut } = props;
+  const { at, height, beside, onPut } = props;
   const walk = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
     const wishes: Record<string, number> = {
       // What is outside of the screen already does not come back against the arrow.
@@ -54,7 +56,7 @@ export function Handle(props: Props) {
   };
   const place = (element: HTMLElement | null) => {
     const part = (divisions - onScreen(at)) / (2 * divisions);
-    element?.style.setProperty("--at", String(part));
+    element?.style.setProperty("--top", `${screenPadding.top + height * part}px`);
     element?.style.setProperty("--beside", String(beside));
   };
   return (
@@ -80,7 +82,6 @@ export function Handle(props: Props) {
           if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
           const box = event.currentTarget.parentElement?.getBoundingClientRect();
           if (!box) return;
-          const height = box.height - screenPadding.top - screenPadding.bottom;
           const part = (event.clientY - box.top - screenPadding.top) / height;
           onPut(onScreen(divisions - 2 * divisions * part));
         }}

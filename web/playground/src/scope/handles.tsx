@@ -5,22 +5,31 @@ import { divisions } from "./channels.js";
 import { columnsOf } from "./columns.js";
 import { handleSize, onScreen } from "./handle.js";
 import { Level, placeOfLevel } from "./level.js";
-import { scope } from "./settings.js";
+import { drawn } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 import { Zero } from "./zero.js";
 
 /** @param height of all divisions, in pixels */
 export function Handles({ sweep, height }: { sweep: Sweep; height: number }) {
-  const { value: channels } = scope.channels;
+  // Digital channels have a lane instead of a zero.
+  const zeros = drawn.value.flatMap((setting, index) =>
+    setting.isDigital ? [] : [{ setting, index }],
+  );
   const level = placeOfLevel(sweep);
-  const heights = [...channels.map(({ offset }) => offset), ...(level ? [level.at] : [])];
+  const heights = [...zeros.map(({ setting }) => setting.offset), ...(level ? [level.at] : [])];
   const columns = columnsOf(heights.map(onScreen), (handleSize / height) * 2 * divisions);
   return (
     <>
-      {channels.map((setting, index) => (
-        <Zero key={setting.name} setting={setting} index={index} beside={columns[index] ?? 0} />
+      {zeros.map(({ setting, index }, order) => (
+        <Zero
+          key={setting.name}
+          setting={setting}
+          index={index}
+          height={height}
+          beside={columns[order] ?? 0}
+        />
       ))}
-      {level && <Level place={level} beside={columns[channels.length] ?? 0} />}
+      {level && <Level place={level} height={height} beside={columns[zeros.length] ?? 0} />}
     </>
   );
 }

@@ -7,41 +7,41 @@ import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 import {
   divisions,
+  type Drawn,
   inDivisions,
-  type Setting,
   unitsOf,
   unitsPerDivision,
   valueAt,
 } from "./channels.js";
 import { Handle } from "./handle.js";
-import { drawn, holdScale, scope, triggers, turnKnobs } from "./settings.js";
+import { drawn, drawnSource, holdScale, scope, triggers, turnKnobs } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 /** The source of the trigger, and where its level is, in divisions from the middle. */
 interface Place {
-  source: Setting;
+  source: Drawn;
   index: number;
   perDivision: number;
   at: number;
 }
 
-/** Undefined where no trigger is used, and where its source has no scale yet. */
+/** Undefined where no trigger is used, and where its source has no scale, or none yet. */
 export function placeOfLevel(sweep: Sweep): Place | undefined {
   if (!triggers.value) return undefined;
-  const index = drawn.value.findIndex(({ name }) => name === scope.source.value);
-  const source = drawn.value[index];
-  const channel = sweep.channels.find(({ name }) => name === scope.source.value);
-  if (!source || !channel) return undefined;
+  const { value: source } = drawnSource;
+  const channel = sweep.channels.find(({ name }) => name === source?.name);
+  if (!source || source.isDigital || !channel) return undefined;
   const perDivision = unitsPerDivision(source, channel);
   const at = inDivisions(scope.level.value, perDivision, source.offset);
-  return { source, index, perDivision, at };
+  return { source, index: drawn.value.indexOf(source), perDivision, at };
 }
 
 function letGo(): void {
   holdScale(undefined);
 }
 
-export function Level({ place, beside }: { place: Place; beside: number }) {
+export function Level(props: { place: Place; height: number; beside: number }) {
+  const { place, height, beside } = props;
   const { source, index, perDivision, at } = place;
   const { scope: t } = texts.value;
   const { value: level } = scope.level;
@@ -57,6 +57,7 @@ export function Level({ place, beside }: { place: Place; beside: number }) {
       class={`of${index % 8}`}
       label={t.levelOf(source.name)}
       at={at}
+      height={height}
       beside={beside}
       value={level}
       valueText={isAbove ? t.above(text) : isBelow ? t.below(text) : text}

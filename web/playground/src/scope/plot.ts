@@ -1,15 +1,16 @@
 // The screen of the scope, drawn by uPlot: each channel as an envelope of its least and largest
-// values, so that no spike is lost.
+// values, so that no spike is lost; digital channels in lanes below.
 
 import uPlot from "uplot";
 
 import {
   divisions,
+  type Drawn,
   inDivisions,
-  type Setting,
   unitsPerDivision,
   valuesAtDivisions,
 } from "./channels.js";
+import { drawLane, laneHeight, runsOf } from "./lanes.js";
 import { partWidth, type Sweep } from "./trigger.js";
 
 /** Colours by the place of a channel; those of the page's style. */
@@ -23,8 +24,8 @@ function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-/** The envelope: at the time of each part its least and its largest value. */
-export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
+/** The envelope: at the time of each part its least and its largest value. Lanes have none. */
+export function envelope(sweep: Sweep, settings: Drawn[]): uPlot.AlignedData {
   const parts = sweep.channels[0]?.least.length ?? 0;
   const width = partWidth(sweep, parts);
   const times: number[] = [];
@@ -34,7 +35,7 @@ export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
   }
   const lines = settings.map((setting) => {
     const channel = sweep.channels.find(({ name }) => name === setting.name);
-    if (!channel) return times.map(() => null);
+    if (!channel || setting.isDigital) return times.map(() => null);
     const per = unitsPerDivision(setting, channel);
     return channel.least.flatMap((low, index) => {
       const high = channel.largest[index] ?? low;
@@ -46,8 +47,21 @@ export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
   return [times, ...lines];
 }
 
-/** Between the edges of the screen and its divisions, in pixels; the times are below. */
-export const screenPadding = { top: 6, right: 24, bottom: 24 };
+/** Between the edges of the screen and its divisions, in pixels; the values are at the left. */
+export const screenPadding = { top: 6, right: 24, left: 56 };
+/** How high the scale of the times is, below the lanes. */
+const timesHeight = 24;
+/** Between the scales and the screen, as uPlot has it. */
+const scaleGap = 5;
+
+export function lanesOf(drawn: Drawn[]): Drawn[] {
+  return drawn.filter(({ isDigital }) => isDigital);
+}
+
+/** How high the divisions are together, in a screen of this height. */
+export function divisionsHeight(height: number, lanes: number): number {
+  return height - screenPadding.top - lanes * laneHeight - timesHeight;
+}
 
 /** Cursors and the trigger, drawn over the lines; times in ms. */
 export interface Marks {
@@ -61,23 +75,27 @@ export class Plot {
   #plot: uPlot | undefined;
   #shape = "";
   #marks: Marks = { cursors: [], scaleOf: -1 };
+  #sweep: Sweep | undefined;
+  #drawn: Drawn[] = [];
   /** What stands at the divisions, from below. */
   #values: string[] = [];
 
   constructor(private readonly host: HTMLElement) {}
 
-  draw(sweep: Sweep, settings: Setting[], marks: Marks, look: string): void {
+  draw(sweep: Sweep, drawn: Drawn[], marks: Marks, look: string): void {
     const moved = this.#marks.scaleOf !== marks.scaleOf;
     this.#marks = marks;
+    this.#sweep = sweep;
+    this.#drawn = drawn;
     const before = this.#values;
-    this.#values = valuesAtDivisions(sweep, settings[marks.scaleOf]);
+    this.#values = valuesAtDivisions(sweep, drawn[marks.scaleOf]);
     const { clientWidth, clientHeight } = this.host;
-    const shape = `${settings.map(({ name }) => name).join(" ")} ${look}`;
-    const data = envelope(sweep, settings);
+    const shape = JSON.stringify([drawn.map(({ name, isDigital }) => [name, isDigital]), look]);
+    const data = envelope(sweep, drawn);
     if (!this.#plot || this.#shape !== shape) {
       this.#plot?.destroy();
       this.#shape = shape;
-      this.#plot = new uPlot(this.#options(settings, clientWidth, clientHeight), data, this.host);
+      this.#plot = new uPlot(this.#options(drawn, clientWidth, clientHeight), data, this.host);
     } else {
       this.#plot.setSize({ width: clientWidth, height: clientHeight });
       this.#plot.setData(data, false);
@@ -86,13 +104,14 @@ export class Plot {
     if (moved || before.join() !== this.#values.join()) this.#plot.redraw(false, true);
   }
 
-  #options(settings: Setting[], width: number, height: number): uPlot.Options {
+  #options(drawn: Drawn[], width: number, height: number): uPlot.Options {
     const axis = {
       stroke: colour("--muted"),
       grid: { stroke: colour("--line"), width: 1 },
       ticks: { show: false },
       font: `11px ${colour("--sans")}`,
     };
+    const below = lanesOf(drawn).length * laneHeight;
     return {
       width,
       height,
@@ -102,10 +121,10 @@ export class Plot {
       padding: [screenPadding.top, screenPadding.right, 0, 0],
       scales: { x: { time: false }, y: { auto: false, range: [-divisions, divisions] } },
       axes: [
-        { ...axis, size: screenPadding.bottom },
+        { ...axis, size: below + timesHeight, gap: below + scaleGap },
         {
           ...axis,
-          size: 56,
+          size: screenPadding.left,
           stroke: () => {
             const { scaleOf } = this.#marks;
             return scaleOf < 0 ? colour("--muted") : channelColour(scaleOf);
@@ -116,7 +135,7 @@ export class Plot {
       ],
       series: [
         {},
-        ...settings.map((_, index) => ({
+        ...drawn.map((_, index) => ({
           stroke: channelColour(index),
           width: 1.5,
           points: { show: false },
@@ -125,6 +144,7 @@ export class Plot {
       hooks: {
         draw: [
           (plot) => {
+            this.#drawLanes(plot);
             this.#drawMarks(plot);
           },
         ],
@@ -132,9 +152,33 @@ export class Plot {
     };
   }
 
+  /** The lanes, each with the number of its channel at the left. */
+  #drawLanes(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const sweep = this.#sweep;
+    const ratio = devicePixelRatio;
+    lanesOf(this.#drawn).forEach((lane, order) => {
+      const channel = sweep?.channels.find(({ name }) => name === lane.name);
+      if (!sweep || !channel) return;
+      const index = this.#drawn.indexOf(lane);
+      const top = bbox.top + bbox.height + order * laneHeight * ratio;
+      const width = partWidth(sweep, channel.least.length);
+      const xOf = (part: number) => plot.valToPos(sweep.fromMs + part * width, "x", true);
+      drawLane(ctx, runsOf(channel), top, xOf, ratio, channelColour(index));
+      ctx.save();
+      ctx.fillStyle = channelColour(index);
+      ctx.font = `bold ${11 * ratio}px ${colour("--sans")}`;
+      ctx.textAlign = "right";
+      ctx.textBaseline = "middle";
+      ctx.fillText(String(index + 1), bbox.left - scaleGap * ratio, top + (laneHeight * ratio) / 2);
+      ctx.restore();
+    });
+  }
+
   #drawMarks(plot: uPlot): void {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio;
+    const bottom = bbox.top + bbox.height + lanesOf(this.#drawn).length * laneHeight * ratio;
     const line = (time: number, stroke: string, dash: number[], name: string) => {
       const x = plot.valToPos(time, "x", true);
       if (x < bbox.left || x > bbox.left + bbox.width) return;
@@ -145,7 +189,7 @@ export class Plot {
       ctx.setLineDash(dash.map((length) => length * ratio));
       ctx.beginPath();
       ctx.moveTo(x, bbox.top);
-      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.lineTo(x, bottom);
       ctx.stroke();
       ctx.font = `${11 * ratio}px system-ui, sans-serif`;
       ctx.textAlign = "left";

@@ -13,7 +13,7 @@ import { csvOf, legendOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Cursors } from "./cursors.js";
 import { Handles } from "./handles.js";
-import { Plot, screenPadding } from "./plot.js";
+import { divisionsHeight, lanesOf, Plot } from "./plot.js";
 import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
@@ -29,6 +29,7 @@ export function ScopePanel() {
     sweep: emptySweep,
   };
   const { sweep, trigger } = shown;
+  const lanes = lanesOf(drawn.value).length;
 
   useEffect(() => {
     const { current } = host;
@@ -87,7 +88,12 @@ export function ScopePanel() {
       />
       <div class="scope-body">
         <ChannelList sweep={sweep} />
-        <div class="screen-box">
+        <div
+          class="screen-box"
+          ref={(element) => {
+            element?.style.setProperty("--lanes", String(lanes));
+          }}
+        >
           <div
             class="screen"
             data-to-ms={sweep.toMs}
@@ -108,7 +114,7 @@ export function ScopePanel() {
               if (time !== undefined) put(held.current, time);
             }}
           />
-          <Handles sweep={sweep} height={size.height - screenPadding.top - screenPadding.bottom} />
+          <Handles sweep={sweep} height={divisionsHeight(size.height, lanes)} />
         </div>
       </div>
       {scope.channels.value.length === 0 && <p class="muted small note">{t.none}</p>}

@@ -7,7 +7,8 @@ import { bench, present, session } from "../session/bench.js";
 import { record } from "../session/record.js";
 import { slice } from "../store/slice.js";
 import { source } from "../store/source.js";
-import type { Setting } from "./channels.js";
+import type { Drawn, Setting } from "./channels.js";
+import { isDigital } from "./digital.js";
 import { type Edge, type Sweep, triggerTime, type TimeWindow, windowAround } from "./trigger.js";
 
 export const modes = ["whole", "auto", "single", "roll"] as const;
@@ -62,13 +63,32 @@ export { scope };
 /** Whether the sweep waits for a trigger. */
 export const triggers = computed(() => ["auto", "single"].includes(scope.mode.value));
 
-/** The channels as they are drawn. */
-export const drawn = computed<Setting[]>(() => {
-  const { value: held } = scope.heldScale;
-  return scope.channels.value.map((setting) =>
-    setting.name === held?.name ? { ...setting, perDivision: held.perDivision } : setting,
-  );
+/** The names of the digital channels, as one text: it stays equal while the card goes on. */
+const digitalNames = computed(() => {
+  const card = present.card.value;
+  const variables = present.globals.value;
+  const names = scope.channels.value.map(({ name }) => name);
+  return JSON.stringify(names.filter((name) => isDigital(name, card, variables)));
 });
+
+/** The channels as they are drawn. */
+export const drawn = computed<Drawn[]>(() => {
+  const { value: held } = scope.heldScale;
+  const digital = JSON.parse(digitalNames.value) as string[];
+  return scope.channels.value.map((setting) => ({
+    ...setting,
+    ...(setting.name === held?.name && { perDivision: held.perDivision }),
+    isDigital: digital.includes(setting.name),
+  }));
+});
+
+/** The source of the trigger. */
+export const drawnSource = computed(() =>
+  drawn.value.find(({ name }) => name === scope.source.value),
+);
+
+/** A digital source crosses no other level. */
+const digitalLevel = 0.5;
 
 /** At most this many parts are searched for a trigger. */
 const searchParts = 20_000;
@@ -146,6 +166,11 @@ export function holdScale(heldScale: HeldScale | undefined): void {
   change({ heldScale });
 }
 
+export function putZero(name: string, offset: number): void {
+  const channels = scope.channels.peek();
+  change({ channels: channels.map((each) => (each.name === name ? { ...each, offset } : each)) });
+}
+
 export interface Shown {
   sweep: Sweep;
   trigger?: number;
@@ -218,7 +243,7 @@ async function findTrigger(engine: Engine, now: number): Promise<number | undefi
   const sweep = { fromMs, toMs: now, endMs: now, channels: [channel] };
   const trigger = {
     source: scope.source.peek(),
-    level: scope.level.peek(),
+    level: drawnSource.peek()?.isDigital ? digitalLevel : scope.level.peek(),
     edge: scope.edge.peek(),
   };
   const first = triggerTime(sweep, trigger, fromMs);

@@ -199,6 +199,7 @@ export const en = {
     offset: (name: string) => `Offset of ${name} in divisions`,
     channel: "Channel",
     scale: "per div",
+    digital: "digital",
     scaleOf: (units: string) => `${units} per division`,
     span: "Time",
     mode: "Sweep",

@@ -195,6 +195,7 @@ export const zh: Texts = {
     offset: (name) => `${name} 的偏移（格）`,
     channel: "通道",
     scale: "每格",
+    digital: "数字量",
     scaleOf: (units) => `每格 ${units}`,
     span: "时间",
     mode: "扫描",
