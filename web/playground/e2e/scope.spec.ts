@@ -185,6 +185,11 @@ test("a digital channel has a lane below the curves", async ({ page }) => {
   // The divisions end above the lane, and so does the middle of the curves.
   const zero = await page.locator(".handle").first().boundingBox();
   expect((zero?.y ?? 0) + 12 - screen.y).toBeCloseTo(6 + (screen.height - 6 - 22 - 24) / 2, 0);
+
+  await page.getByRole("checkbox", { name: "Cursors" }).check();
+  await page.getByLabel("Cursor A, ms").fill("600");
+  await page.getByLabel("Cursor B, ms").fill("2400");
+  await expect(page.locator('[data-channel="axis1.moving"] td')).toHaveText(["1", "0", "", ""]);
   await expectAccessible(page);
 });
 

@@ -3,8 +3,9 @@
 import { present } from "../session/bench.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
-import { readingAt, titleOf, unitsOf } from "./channels.js";
-import { putCursors, scope } from "./settings.js";
+import { titleOf, unitsOf } from "./channels.js";
+import { readingOf } from "./readings.js";
+import { drawn, putCursors, scope } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
 export function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => void }) {
@@ -67,17 +68,16 @@ export function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: numbe
               </tr>
             </thead>
             <tbody>
-              {scope.channels.value.map(({ name }) => {
-                const atA = readingAt(sweep, name, a)?.largest;
-                const atB = readingAt(sweep, name, b)?.largest;
-                const both = atA !== undefined && atB !== undefined;
+              {drawn.value.map((channel) => {
+                const { name } = channel;
+                const { texts: read, gain, slope } = readingOf(sweep, channel, [a, b]);
                 return (
                   <tr key={name} data-channel={name}>
                     <th scope="row">{titleOf(name, units)}</th>
-                    <td class="number">{atA === undefined ? "" : number(atA)}</td>
-                    <td class="number">{atB === undefined ? "" : number(atB)}</td>
-                    <td class="number">{both ? number(atB - atA) : ""}</td>
-                    <td class="number">{both && b !== a ? number((atB - atA) / (b - a)) : ""}</td>
+                    <td class="number">{read[0]}</td>
+                    <td class="number">{read[1]}</td>
+                    <td class="number">{gain === undefined ? "" : number(gain)}</td>
+                    <td class="number">{slope === undefined ? "" : number(slope)}</td>
                   </tr>
                 );
               })}
