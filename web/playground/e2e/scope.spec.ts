@@ -204,3 +204,33 @@ test("a digital channel triggers at its edges, without a level", async ({ page }
   // Axis 2 begins after axis 1 has travelled 1300 ms.
   await expect(page.getByText(/^triggered at 13\d\d/)).toBeVisible();
 });
+
+test("a plate on the screen has what the cursors say of the chosen channel", async ({ page }) => {
+  await run(page);
+  const plate = page.locator(".plate");
+  await expect(plate).toHaveCount(0);
+  await page.getByRole("checkbox", { name: "Cursors" }).check();
+  await page.getByLabel("Cursor A, ms").fill("100");
+  await page.getByLabel("Cursor B, ms").fill("150");
+  const rows = (channel: string) =>
+    page.locator(`[data-channel="${channel}"] td`).nth(2).textContent();
+  // The velocity grows by 0.25 pulse/ms in a millisecond; the parts of the screen are of several.
+  await expect(plate).toContainText("Δt50 ms");
+  await expect(plate).toContainText("1/Δt20 Hz");
+  await expect(plate).toContainText(`ΔY${await rows("axis1.prfVel")} pulse/ms`);
+  await expect(plate).toContainText(/slope0\.2\d* pulse\/ms²/);
+  // Both curves are above their zeros, and higher at the left than at the right.
+  await expect(plate).toHaveClass(/bottom/);
+  await page.getByRole("button", { name: /^axis2.prfVel/ }).click();
+  await expect(plate).toContainText("ΔY0 pulse/ms");
+  await page.getByLabel("Add a channel").fill("axis1.moving");
+  await expect(plate).not.toContainText("ΔY");
+  await expect(plate).toContainText("Δt50 ms");
+  // It says nothing that the table does not say, and lets the pointer through.
+  await expect(plate).toHaveAttribute("aria-hidden", "true");
+  const box = await plate.boundingBox();
+  if (!box) throw new Error("the plate is not there");
+  await page.mouse.click(box.x + 20, box.y + 10);
+  await expect(plate).not.toContainText("Δt50 ms");
+  await expectAccessible(page);
+});

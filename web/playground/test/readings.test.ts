@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { readingOf } from "../src/scope/readings.js";
+import { perMs, readingOf } from "../src/scope/readings.js";
 
 /** Four parts of 10 ms; the last ones are behind the present. */
 const sweep = {
@@ -25,4 +25,14 @@ test.each([
 ])("of $channel.name at $cursors", ({ channel, cursors, reading }) => {
   const [a = 0, b = 0] = cursors;
   expect(readingOf(sweep, channel, [a, b])).toEqual(reading);
+});
+
+test.each([
+  ["pulse", "pulse/ms"],
+  ["pulse/ms", "pulse/ms²"],
+  ["pulse/ms²", "pulse/ms³"],
+  ["mm/s", "mm/s/ms"],
+  [undefined, "1/ms"],
+])("%s in a millisecond is %s", (unit, slope) => {
+  expect(perMs(unit)).toBe(slope);
 });

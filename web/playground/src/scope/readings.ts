@@ -30,3 +30,9 @@ export function readingOf(
   const gain = atB.largest - atA.largest;
   return a === b ? { texts, gain } : { texts, gain, slope: gain / (b - a) };
 }
+
+/** The unit of what is gained in a millisecond. */
+export function perMs(unit = "1"): string {
+  if (unit.endsWith("/ms²")) return unit.replace(/²$/, "³");
+  return unit.endsWith("/ms") ? `${unit}²` : `${unit}/ms`;
+}

@@ -13,7 +13,8 @@ import { csvOf, legendOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Cursors } from "./cursors.js";
 import { Handles } from "./handles.js";
-import { divisionsHeight, lanesOf, Plot } from "./plot.js";
+import { Plate } from "./plate.js";
+import { divisionsHeight, lanesOf, Plot, screenPadding } from "./plot.js";
 import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./settings.js";
 import type { Sweep } from "./trigger.js";
 
@@ -29,6 +30,7 @@ export function ScopePanel() {
     sweep: emptySweep,
   };
   const { sweep, trigger } = shown;
+  const { value: cursors } = scope.cursors;
   const lanes = lanesOf(drawn.value).length;
 
   useEffect(() => {
@@ -114,6 +116,14 @@ export function ScopePanel() {
               if (time !== undefined) put(held.current, time);
             }}
           />
+          {cursors && (
+            <Plate
+              sweep={sweep}
+              cursors={cursors}
+              width={size.width - screenPadding.left - screenPadding.right}
+              height={divisionsHeight(size.height, lanes)}
+            />
+          )}
           <Handles sweep={sweep} height={divisionsHeight(size.height, lanes)} />
         </div>
       </div>

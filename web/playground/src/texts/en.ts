@@ -224,6 +224,7 @@ export const en = {
     none: "No channel is shown. Add one.",
     difference: "Δ",
     slope: "per ms",
+    plate: { time: "Δt", frequency: "1/Δt", gain: "ΔY", slope: "slope" },
   },
 
   values: {

@@ -220,6 +220,7 @@ export const zh: Texts = {
     none: "没有显示的通道，请添加。",
     difference: "Δ",
     slope: "每 ms",
+    plate: { time: "Δt", frequency: "1/Δt", gain: "ΔY", slope: "斜率" },
   },
 
   values: {
