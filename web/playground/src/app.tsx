@@ -3,8 +3,7 @@
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
-import { Column } from "./frame/column.js";
-import { fillPage, layoutName, namedLayout, wholePanel } from "./frame/current.js";
+import { fillPage, layoutName, wholePanel } from "./frame/current.js";
 import { Frame, WholeButton } from "./frame/frame.js";
 import { failingRun } from "./interleaving/failing_run.js";
 import { InterleavingPanel } from "./interleaving/panel.js";
@@ -18,7 +17,6 @@ import { present } from "./session/bench.js";
 import { isEdited } from "./session/on_card.js";
 import { record } from "./session/record.js";
 import { forgetLink, openedLink } from "./share/opened_link.js";
-import { arrangementFor } from "./store/arrangement.js";
 import { layout, type Panel, panels, showPanel } from "./store/layout.js";
 import { lessons } from "./store/lessons.js";
 import { placesOf } from "./store/places.js";
@@ -102,7 +100,6 @@ export function App() {
   const t = texts.value;
   const failing = failingRun.value !== undefined;
   const shownPanels = panels.filter((name) => name !== "interleaving" || failing);
-  const { middle, right } = arrangementFor(namedLayout.value, failing);
   return (
     <>
       <a
@@ -137,9 +134,8 @@ export function App() {
       </nav>
       <Frame
         class={`${isOpening.value ? "opening" : ""} ${failing ? "failing" : ""}`}
-        left={<Box name="lesson" />}
-        middle={<Column panels={middle} titleOf={titleOf} boxOf={boxOf} />}
-        right={<Column panels={right} titleOf={titleOf} boxOf={boxOf} />}
+        titleOf={titleOf}
+        boxOf={boxOf}
       />
     </>
   );

@@ -4,10 +4,11 @@
 import type { ComponentChildren } from "preact";
 import { Fragment } from "preact";
 
+import type { ColumnName } from "../store/arrangement.js";
 import type { Panel } from "../store/layout.js";
 import { heighten } from "../store/places.js";
 import { texts } from "../texts/texts.js";
-import { layoutName } from "./current.js";
+import { arrangement, layoutName } from "./current.js";
 import { type Measured, Splitter } from "./splitter.js";
 
 /** The head of a panel, which stays, in pixels. */
@@ -21,17 +22,17 @@ function measure(splitter: HTMLElement): Measured | undefined {
   return own > 0 ? { own, least: head, most: Math.max(own, whole - rest), whole } : undefined;
 }
 
-interface Panels {
-  panels: readonly Panel[];
+export interface Panels {
   titleOf: (panel: Panel) => string;
   boxOf: (panel: Panel) => ComponentChildren;
 }
 
-export function Column({ panels, titleOf, boxOf }: Panels) {
+export function Column({ name, titleOf, boxOf }: Panels & { name: ColumnName }) {
   const { frame: t } = texts.value;
   const { value: layout } = layoutName;
+  const panels = arrangement.value[name];
   return (
-    <>
+    <div class={`column ${name}`}>
       {panels.map((panel, index) => (
         <Fragment key={panel}>
           {boxOf(panel)}
@@ -49,6 +50,6 @@ export function Column({ panels, titleOf, boxOf }: Panels) {
           )}
         </Fragment>
       ))}
-    </>
+    </div>
   );
 }

@@ -7,6 +7,7 @@ import { computed, effect } from "@preact/signals";
 import { failingRun } from "../interleaving/failing_run.js";
 import { isOpening } from "../lesson/opening.js";
 import { record } from "../session/record.js";
+import { arrangementFor } from "../store/arrangement.js";
 import { layout } from "../store/layout.js";
 import { fillWith, placesOf, type WholePanel } from "../store/places.js";
 import { source } from "../store/source.js";
@@ -14,6 +15,11 @@ import { source } from "../store/source.js";
 /** What the lesson names; the card of a host's record is not what the lesson is about. */
 export const namedLayout = computed(() =>
   record.value ? undefined : layoutOf(source.lesson.value),
+);
+
+/** The panels of each column. */
+export const arrangement = computed(() =>
+  arrangementFor(namedLayout.value, failingRun.value !== undefined),
 );
 
 /** By this name its places are kept. */

@@ -1,24 +1,16 @@
 // The columns of the page, as wide as the layout wants them or the reader has made them, and the
 // button with which a panel fills it.
 
-import type { ComponentChildren } from "preact";
-
 import { placesOf, type Side, sides, widen, type WholePanel } from "../store/places.js";
 import { texts } from "../texts/texts.js";
+import { Column, type Panels } from "./column.js";
 import { fillPage, layoutName, namedLayout, wholePanel } from "./current.js";
 import { type Measured, Splitter } from "./splitter.js";
 
 /** Columns stay at least so wide, in pixels: what they show still has room there. */
 const least = { left: 240, middle: 240, right: 400 };
 
-interface Columns {
-  class: string;
-  left: ComponentChildren;
-  middle: ComponentChildren;
-  right: ComponentChildren;
-}
-
-export function Frame({ class: kind, left, middle, right }: Columns) {
+export function Frame({ class: kind, ...panels }: Panels & { class: string }) {
   const { value: layout } = layoutName;
   const places = placesOf(layout);
   return (
@@ -42,11 +34,11 @@ export function Frame({ class: kind, left, middle, right }: Columns) {
         element?.style.setProperty("--least", isChosen ? `${least.middle}px` : "");
       }}
     >
-      <div class="column left">{left}</div>
+      <Column name="left" {...panels} />
       <ColumnSplitter key={`left ${layout}`} layout={layout} side="left" />
-      <div class="column middle">{middle}</div>
+      <Column name="middle" {...panels} />
       <ColumnSplitter key={`right ${layout}`} layout={layout} side="right" />
-      <div class="column right">{right}</div>
+      <Column name="right" {...panels} />
     </main>
   );
 }

@@ -1,22 +1,23 @@
-// Which panels lie below each other beside the lesson, for the layout that a lesson names.
+// Which panels lie below each other in the columns of the page, for the layout that a lesson names.
 // Tested by test/arrangement.test.ts.
 
 import type { LessonLayout } from "@oncard/lessons";
 
 import type { Panel } from "./layout.js";
 
-export interface Arrangement {
-  middle: readonly Panel[];
-  right: readonly Panel[];
-}
+export const columns = ["left", "middle", "right"] as const;
+export type ColumnName = (typeof columns)[number];
+
+export type Arrangement = Record<ColumnName, readonly Panel[]>;
 
 const usual: Arrangement = {
+  left: ["lesson"],
   middle: ["program", "values"],
   right: ["machine", "timeline", "scope"],
 };
 
 const arrangements: Record<LessonLayout, Arrangement> = {
-  language: { middle: ["program"], right: ["values", "timeline", "machine", "scope"] },
+  language: { ...usual, middle: ["program"], right: ["values", "timeline", "machine", "scope"] },
   threads: { ...usual, right: ["timeline", "machine", "scope"] },
   motion: { ...usual, right: ["machine", "scope", "timeline"] },
 };
