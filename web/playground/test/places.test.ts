@@ -1,9 +1,13 @@
 import { afterEach, expect, test, vi } from "vitest";
 
+import { columns } from "../src/store/arrangement.js";
 import {
+  closeColumn,
+  closedIn,
   fillWith,
   heighten,
   keepPlaces,
+  openColumn,
   placesOf,
   resetPlaces,
   widen,
@@ -71,4 +75,50 @@ test("a panel is as high as the reader makes it, in each layout", () => {
   });
   heighten("motion", "scope", undefined);
   expect(placesOf("motion")).toEqual({});
+});
+
+test("columns of each layout are closed until they are opened", () => {
+  const storage = stubStorage({ places: { motion: { left: 0.2 } } });
+  keepPlaces();
+  expect(closedIn("motion")).toEqual([]);
+  closeColumn("motion", "right");
+  closeColumn("motion", "left");
+  closeColumn("threads", "middle");
+  expect(closedIn("motion")).toEqual(["left", "right"]);
+  openColumn("motion", "right");
+  expect(JSON.parse(storage.get("oncard.places") ?? "")).toEqual({
+    ...{ motion: { left: 0.2, closed: ["left"] }, threads: { closed: ["middle"] } },
+  });
+  openColumn("motion", "left");
+  expect(placesOf("motion")).toEqual({ left: 0.2 });
+  resetPlaces("threads");
+  expect(closedIn("threads")).toEqual([]);
+});
+
+test("what is open already stays as it was", () => {
+  stubStorage();
+  keepPlaces();
+  openColumn("motion", "left");
+  expect(placesOf("motion")).toEqual({});
+  closeColumn("motion", "left");
+  closeColumn("motion", "left");
+  expect(closedIn("motion")).toEqual(["left"]);
+});
+
+test("the last column that is open stays open", () => {
+  stubStorage();
+  keepPlaces();
+  for (const column of columns) closeColumn("motion", column);
+  expect(closedIn("motion")).toEqual(["left", "middle"]);
+});
+
+test.each([
+  ["a column that is not known", ["left", "top"], ["left"]],
+  ["all columns", ["left", "middle", "right"], []],
+  ["a text", "left", []],
+])("%s among the closed ones: what is right of it is kept", (_, closed, right) => {
+  stubStorage({ places: { motion: { left: 0.2, closed } } });
+  keepPlaces();
+  expect(closedIn("motion")).toEqual(right);
+  expect(placesOf("motion").left).toBe(0.2);
 });

@@ -1,9 +1,10 @@
-// How wide the reader has made the columns of each layout, how high its panels, and which of them
-// fills the page. It is kept in this browser.
+// How wide the reader has made the columns of each layout, how high its panels, which columns are
+// closed, and which panel fills the page. It is kept in this browser.
 // Tested by test/places.test.ts.
 
 import { effect } from "@preact/signals";
 
+import { type ColumnName, columns } from "./arrangement.js";
 import { keep, kept } from "./keep.js";
 import { isKeptPlaces, type KeptPlaces } from "./kept_schema.js";
 import type { Panel } from "./layout.js";
@@ -44,6 +45,30 @@ export function heighten(layout: string, panel: Panel, part: number | undefined)
   const others = Object.entries(placesOf(layout).heights ?? {}).filter(([name]) => name !== panel);
   const heights: [string, number][] = part === undefined ? others : [...others, [panel, part]];
   put(layout, "heights", heights.length > 0 ? Object.fromEntries(heights) : undefined);
+}
+
+export function closedIn(layout: string): readonly ColumnName[] {
+  return placesOf(layout).closed ?? [];
+}
+
+/** Closes a column, unless it is the last one that is open. */
+export function closeColumn(layout: string, column: ColumnName): void {
+  putClosed(layout, [...closedIn(layout), column]);
+}
+
+export function openColumn(layout: string, column: ColumnName): void {
+  const closed = closedIn(layout);
+  if (closed.includes(column))
+    putClosed(
+      layout,
+      closed.filter((each) => each !== column),
+    );
+}
+
+function putClosed(layout: string, wished: readonly ColumnName[]): void {
+  const closed = columns.filter((each) => wished.includes(each));
+  if (closed.length === columns.length) return;
+  put(layout, "closed", closed.length > 0 ? closed : undefined);
 }
 
 /** Lets a panel fill the page; undefined: all are shown. */
