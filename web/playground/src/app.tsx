@@ -5,6 +5,7 @@ import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
 import { fillPage, layoutName, wholePanel } from "./frame/current.js";
 import { Frame, WholeButton } from "./frame/frame.js";
+import { CloseButton } from "./frame/rail.js";
 import { failingRun } from "./interleaving/failing_run.js";
 import { InterleavingPanel } from "./interleaving/panel.js";
 import { isOpening } from "./lesson/opening.js";
@@ -77,7 +78,10 @@ function Box({ name }: { name: Panel }) {
       aria-labelledby={`panel-${name}`}
       id={name}
     >
-      {name !== "lesson" && <WholeButton panel={name} title={title} />}
+      <span class="panel-buttons">
+        <CloseButton panel={name} title={title} />
+        {name !== "lesson" && <WholeButton panel={name} title={title} />}
+      </span>
       <h2 class="panel-title" id={`panel-${name}`}>
         {title}
       </h2>

@@ -1,5 +1,5 @@
-// The layout of the page: what the open lesson names, or that of a failing run; and the panel that
-// fills it.
+// The layout of the page: what the open lesson names, or that of a failing run; which columns of it are
+// closed, and the panel that fills it.
 
 import { layoutOf } from "@oncard/lessons";
 import { computed, effect } from "@preact/signals";
@@ -7,9 +7,9 @@ import { computed, effect } from "@preact/signals";
 import { failingRun } from "../interleaving/failing_run.js";
 import { isOpening } from "../lesson/opening.js";
 import { record } from "../session/record.js";
-import { arrangementFor } from "../store/arrangement.js";
+import { arrangementFor, columns } from "../store/arrangement.js";
 import { layout } from "../store/layout.js";
-import { fillWith, placesOf, type WholePanel } from "../store/places.js";
+import { closedIn, fillWith, placesOf, type WholePanel } from "../store/places.js";
 import { source } from "../store/source.js";
 
 /** What the lesson names; the card of a host's record is not what the lesson is about. */
@@ -30,6 +30,16 @@ export const layoutName = computed(() =>
 /** The panel that fills the page, if one does; the opening shows all that it has. */
 export const wholePanel = computed(() =>
   isOpening.value ? undefined : placesOf(layoutName.value).whole,
+);
+
+/** The columns that are rails. */
+export const closedColumns = computed(() =>
+  isOpening.value || wholePanel.value ? [] : closedIn(layoutName.value),
+);
+
+/** Whether another column can be closed: one stays open. */
+export const canClose = computed(
+  () => !isOpening.value && !wholePanel.value && closedColumns.value.length < columns.length - 1,
 );
 
 /** Lets a panel fill the page; undefined: all are shown again. */

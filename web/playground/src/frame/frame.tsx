@@ -1,10 +1,26 @@
 // The columns of the page, as wide as the layout wants them or the reader has made them, and the
 // button with which a panel fills it.
 
-import { placesOf, type Side, sides, widen, type WholePanel } from "../store/places.js";
+import type { ColumnName } from "../store/arrangement.js";
+import {
+  closeColumn,
+  openColumn,
+  placesOf,
+  type Side,
+  sides,
+  widen,
+  type WholePanel,
+} from "../store/places.js";
 import { texts } from "../texts/texts.js";
 import { Column, type Panels } from "./column.js";
-import { fillPage, layoutName, namedLayout, wholePanel } from "./current.js";
+import {
+  canClose,
+  closedColumns,
+  fillPage,
+  layoutName,
+  namedLayout,
+  wholePanel,
+} from "./current.js";
 import { type Measured, Splitter } from "./splitter.js";
 
 /** Columns stay at least so wide, in pixels: what they show still has room there. */
@@ -43,7 +59,20 @@ export function Frame({ class: kind, ...panels }: Panels & { class: string }) {
   );
 }
 
+/** What takes the room that the column at this side leaves; undefined: only rails are there. */
+function takerBeside(side: Side): ColumnName | undefined {
+  const { value: closed } = closedColumns;
+  if (!closed.includes("middle")) return "middle";
+  return side === "left" && !closed.includes("right") ? "right" : undefined;
+}
+
 function ColumnSplitter({ layout, side }: { layout: string; side: Side }) {
+  if (!takerBeside(side)) return null;
+  const isClosed = closedColumns.value.includes(side);
+  const put = (closes: boolean) => {
+    if (closes) closeColumn(layout, side);
+    else openColumn(layout, side);
+  };
   return (
     <Splitter
       class={side}
@@ -54,6 +83,8 @@ function ColumnSplitter({ layout, side }: { layout: string; side: Side }) {
       onPut={(part) => {
         widen(layout, side, part);
       }}
+      isClosed={isClosed}
+      onClose={isClosed || canClose.value ? put : undefined}
     />
   );
 }
@@ -62,10 +93,11 @@ function widthOf(page: HTMLElement | null, side: Side): Measured | undefined {
   const of = (name: string) =>
     page?.querySelector(`.column.${name}`)?.getBoundingClientRect().width ?? 0;
   const own = of(side);
-  if (!page || own === 0) return undefined;
+  const taker = takerBeside(side);
+  if (!page || !taker || own === 0) return undefined;
   const { paddingLeft, paddingRight } = getComputedStyle(page);
   const whole = page.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
-  const most = Math.max(own, own + of("middle") - least.middle);
+  const most = Math.max(own, own + of(taker) - least[taker]);
   return { own, least: least[side], most, whole };
 }
 
@@ -76,7 +108,7 @@ export function WholeButton({ panel, title }: { panel: WholePanel; title: string
   return (
     <button
       type="button"
-      class="quiet whole-button"
+      class="quiet"
       aria-label={`${t.whole}: ${title}`}
       aria-pressed={isWhole}
       title={isWhole ? t.all : t.whole}

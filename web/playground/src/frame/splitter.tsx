@@ -8,6 +8,9 @@ import { texts } from "../texts/texts.js";
 /** So far an arrow key moves a border. */
 const step = 16;
 
+/** What the pointer leaves less than this part of its least size is closed. */
+const closingPart = 0.5;
+
 /** What a border makes wider or higher, in pixels. */
 export interface Measured {
   own: number;
@@ -27,9 +30,13 @@ interface Splitting {
   measure: (splitter: HTMLElement) => Measured | undefined;
   /** Gives what the border is of a part of the whole; undefined: as much as usual. */
   onPut: (part: number | undefined) => void;
+  isClosed?: boolean;
+  /** Closes or opens what the border is of, if it can be closed. */
+  onClose?: ((closes: boolean) => void) | undefined;
 }
 
-export function Splitter({ class: kind, label, axis, isOfNext, measure, onPut }: Splitting) {
+export function Splitter(props: Splitting) {
+  const { class: kind, label, axis, isOfNext, measure, onPut, isClosed, onClose } = props;
   const { frame: t } = texts.value;
   const element = useRef<HTMLDivElement>(null);
   const [measured, setMeasured] = useState<Measured>();
@@ -54,9 +61,15 @@ export function Splitter({ class: kind, label, axis, isOfNext, measure, onPut }:
   };
   const placeOf = (event: TargetedPointerEvent<HTMLDivElement>) =>
     axis === "x" ? event.clientX : event.clientY;
+  const drag = (wished: number) => {
+    const closes = onClose !== undefined && wished < (now()?.least ?? 0) * closingPart;
+    if (closes !== isClosed) onClose?.(closes);
+    if (!closes) put(wished);
+  };
   const walk = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
+    if (event.key === "Enter") onClose?.(!isClosed);
     const found = now();
-    if (!found) return;
+    if (!found || isClosed) return;
     const wishes: Record<string, number> = {
       [axis === "x" ? "ArrowLeft" : "ArrowUp"]: found.own - sign * step,
       [axis === "x" ? "ArrowRight" : "ArrowDown"]: found.own + sign * step,
@@ -78,9 +91,9 @@ export function Splitter({ class: kind, label, axis, isOfNext, measure, onPut }:
       aria-orientation={axis === "x" ? "vertical" : "horizontal"}
       aria-label={label}
       aria-valuenow={percent(measured?.own)}
-      aria-valuemin={percent(measured?.least)}
+      aria-valuemin={percent(Math.min(measured?.least ?? 0, measured?.own ?? 0))}
       aria-valuemax={percent(measured?.most)}
-      title={t.drag}
+      title={onClose ? t.dragColumn : t.drag}
       onKeyDown={walk}
       onPointerDown={(event) => {
         const found = now();
@@ -90,13 +103,14 @@ export function Splitter({ class: kind, label, axis, isOfNext, measure, onPut }:
       }}
       onPointerMove={(event) => {
         const { current: from } = held;
-        if (from) put(from.own + sign * (placeOf(event) - from.at));
+        if (from) drag(from.own + sign * (placeOf(event) - from.at));
       }}
       onLostPointerCapture={() => {
         held.current = undefined;
       }}
       onDblClick={() => {
         onPut(undefined);
+        onClose?.(false);
       }}
     />
   );
