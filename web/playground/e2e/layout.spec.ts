@@ -175,6 +175,39 @@ test("axes are shown whole in a column of any width", async ({ page }) => {
   expect((await boxOf(page, "machine")).width).toBeCloseTo(400, 0);
 });
 
+test("the tabs and buttons of the program do not overlap beside several programs", async ({
+  page,
+}) => {
+  await open(page, "#lesson=lost-update");
+  await page.getByRole("button", { name: "Copy" }).click();
+  await expect(page.getByLabel("Programs of this lesson")).toBeVisible();
+  for (const width of [1440, 1200, 1024, 390]) {
+    await page.setViewportSize({ width, height: 800 });
+    if (width < 760) {
+      await page.getByRole("navigation").getByRole("button", { name: "Program" }).click();
+    }
+    const overlapping = await page.locator("#program").evaluate((panel) => {
+      const parts = [...panel.querySelectorAll(".panel-buttons, .bar .tab, .bar .end > *")]
+        .filter((part) => part.checkVisibility())
+        .map((part) => ({ part, box: part.getBoundingClientRect() }));
+      const right = panel.getBoundingClientRect().right;
+      return parts
+        .filter(
+          ({ box: a }, index) =>
+            a.right > right ||
+            parts
+              .slice(index + 1)
+              .some(
+                ({ box: b }) =>
+                  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom,
+              ),
+        )
+        .map(({ part }) => part.textContent);
+    });
+    expect(overlapping, `at ${width} pixels`).toEqual([]);
+  }
+});
+
 test("a phone has no borders to drag", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page);
