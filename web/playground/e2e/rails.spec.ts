@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { expectAccessible, fromMenu, open } from "./support.js";
+import { editor, expectAccessible, fromMenu, open, runUnpowered } from "./support.js";
 
 /** How wide a rail is, and the distance of columns and of the edge of the window. */
 const [rail, gap] = [44, 8];
@@ -169,6 +169,69 @@ test("scope and editor are as wide as their columns after one was closed", async
     .poll(async () => (await editor.boundingBox())?.width)
     .toBeCloseTo(1440 - guide - rail - 4 * gap, 0);
   await expect(page.locator(".cm-line").first()).toBeInViewport();
+});
+
+test("a check and an exploration open the guide, where they say what they find", async ({
+  page,
+}) => {
+  const verdict = page.locator(".verdict");
+  await open(page, "#lesson=lost-update");
+  await closing(page, "Lesson").click();
+  await editor(page).press("F7");
+  await expect(verdict).toContainText("Failed");
+  await expect(editor(page)).toBeFocused();
+  // That of a failing run, with its own places.
+  await closing(page, "Lesson").click();
+  await closing(page, "Order").click();
+  await page.getByRole("button", { name: "Explore" }).click();
+  await expect(verdict).toContainText("Failed");
+  await expect(page.locator("#interleaving")).toBeVisible();
+  await expect(names(page)).toHaveCount(0);
+});
+
+test("who opens a lesson sees its guide, and who comes back finds it as it was", async ({
+  page,
+}) => {
+  const guide = page.locator("#lesson");
+  await open(page, "#lesson=first-axis");
+  await closing(page, "Lesson").click();
+  await page.goto("#lesson=lock");
+  await expect(guide).toBeVisible();
+  await page.goto("#lesson=first-axis");
+  await expect(guide).toContainText("Now something moves.");
+  await closing(page, "Lesson").click();
+  for (const address of ["./#lesson=first-axis", "./"]) {
+    await page.goto("about:blank");
+    await page.goto(address);
+    await expect(names(page)).toHaveText(["Lesson"]);
+  }
+  // Another lesson about motion.
+  await page.goto("about:blank");
+  await page.goto("./#lesson=limits");
+  await expect(guide).toBeVisible();
+});
+
+test("a line, the warnings and the program are shown wherever they are asked for", async ({
+  page,
+}) => {
+  await open(page, "#lesson=assignment");
+  await page.getByRole("button", { name: "Statements" }).click();
+  await closing(page, "Program").click();
+  await page.locator(".listing").getByRole("button", { name: "6" }).first().click();
+  await expect(page.locator(".cm-line", { hasText: "answer =" })).toBeInViewport();
+  await closing(page, "Program").click();
+  await page.getByRole("link", { name: "Skip to the program" }).press("Enter");
+  await expect(page.locator("#program :focus")).toBeInViewport();
+
+  await runUnpowered(page);
+  const warnings = page.getByRole("button", { name: "2 warnings" });
+  await expect(warnings).toBeVisible();
+  await closing(page, "Program").click();
+  await warnings.click();
+  await expect(page.getByRole("group", { name: "Warnings" })).toBeFocused();
+  await page.getByRole("button", { name: "Maximise: Scope" }).click();
+  await warnings.click();
+  await expect(page.getByRole("group", { name: "Warnings" })).toBeFocused();
 });
 
 test("a phone has no rails", async ({ page }) => {

@@ -3,7 +3,7 @@
 import { StatusLine } from "./controls/status.js";
 import { Toolbar } from "./controls/toolbar.js";
 import { ProgramPanel } from "./editor/editor.js";
-import { fillPage, layoutName, wholePanel } from "./frame/current.js";
+import { layoutName, reveal, wholePanel } from "./frame/current.js";
 import { Frame, WholeButton } from "./frame/frame.js";
 import { CloseButton } from "./frame/rail.js";
 import { failingRun } from "./interleaving/failing_run.js";
@@ -111,9 +111,11 @@ export function App() {
         href="#program"
         onClick={(event) => {
           event.preventDefault();
-          fillPage(undefined);
+          reveal("program");
           showPanel("program");
-          document.querySelector<HTMLElement>("#program > div button")?.focus();
+          requestAnimationFrame(() => {
+            document.querySelector<HTMLElement>("#program > div button")?.focus();
+          });
         }}
       >
         {t.skip}

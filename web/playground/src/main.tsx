@@ -8,7 +8,7 @@ import { App } from "./app.js";
 import { listenToKeys } from "./controls/actions.js";
 import { forgetOldVerdicts } from "./lesson/checks.js";
 import { beginOpening } from "./lesson/opening.js";
-import { followWishes } from "./frame/current.js";
+import { followLessons, followWishes } from "./frame/current.js";
 import { bench } from "./session/bench.js";
 import { followLanguage, followSource } from "./session/messages.js";
 import { followLesson, goToShared, openFirst, openNext } from "./share/opened_link.js";
@@ -16,7 +16,7 @@ import { listenToOtherTabs } from "./store/keep.js";
 import { offerLessons, takeProgress } from "./store/lessons.js";
 import { keepPlaces } from "./store/places.js";
 import { applySettings, keepSettings } from "./store/settings.js";
-import { takeFromElsewhere } from "./store/source.js";
+import { lastLesson, takeFromElsewhere } from "./store/source.js";
 import { texts } from "./texts/texts.js";
 
 import "uplot/dist/uPlot.min.css";
@@ -37,8 +37,10 @@ effect(() => {
 });
 listenToKeys();
 offerLessons(offered, samples);
+const last = lastLesson();
 openFirst();
 followLesson();
+followLessons(last);
 listenToOtherTabs(takeProgress);
 listenToOtherTabs(takeFromElsewhere);
 window.addEventListener("hashchange", openNext);

@@ -1,5 +1,6 @@
 // What the reader can do with the card, and the keys for it: buttons and keys do the same.
 
+import { openColumnOf, reveal } from "../frame/current.js";
 import { failingRun } from "../interleaving/failing_run.js";
 import { checkTask, explore } from "../lesson/checks.js";
 import { showVerdict } from "../lesson/verdict.js";
@@ -11,6 +12,18 @@ import { changeSpeed } from "../store/settings.js";
 
 async function whenReady(action: () => Promise<void>): Promise<void> {
   if (await ready()) await action();
+}
+
+/** Checks or explores. The lesson says what is found, and beside it stands a failing run. */
+async function judge(task: () => Promise<void>): Promise<void> {
+  const judged = task();
+  // The failing run of before has gone by now, and its layout with it.
+  showPanel("lesson");
+  reveal("lesson");
+  await judged;
+  openColumnOf("lesson");
+  if (failingRun.peek()) reveal("interleaving");
+  showVerdict();
 }
 
 export const actions = {
@@ -37,16 +50,11 @@ export const actions = {
   },
   explore: () => {
     if (record.peek()) return;
-    showPanel("lesson"); // it says what is found
-    void explore().then(() => {
-      showVerdict();
+    void judge(explore).then(() => {
       if (failingRun.peek()) showPanel("interleaving");
     });
   },
-  check: () => {
-    showPanel("lesson");
-    void checkTask().then(showVerdict);
-  },
+  check: () => void judge(checkTask),
   breakpoint: () => {
     const line = layout.chosenLine.peek();
     if (line > 0) toggleBreakpoint(line);

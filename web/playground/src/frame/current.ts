@@ -2,14 +2,15 @@
 // closed, and the panel that fills it.
 
 import { layoutOf } from "@oncard/lessons";
-import { computed, effect } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 
 import { failingRun } from "../interleaving/failing_run.js";
 import { isOpening } from "../lesson/opening.js";
 import { record } from "../session/record.js";
 import { arrangementFor, columns } from "../store/arrangement.js";
-import { layout } from "../store/layout.js";
-import { closedIn, fillWith, placesOf, type WholePanel } from "../store/places.js";
+import { layout, type Panel } from "../store/layout.js";
+import { ownProgram } from "../store/own_program.js";
+import { closedIn, fillWith, openColumn, placesOf, type WholePanel } from "../store/places.js";
 import { source } from "../store/source.js";
 
 /** What the lesson names; the card of a host's record is not what the lesson is about. */
@@ -47,11 +48,47 @@ export function fillPage(panel: WholePanel | undefined): void {
   fillWith(layoutName.peek(), panel);
 }
 
-/** Who wants to see the warnings sees them, whatever fills the page. */
+/** Opens the column of a panel. */
+export function openColumnOf(panel: Panel): void {
+  const column = columns.find((each) => arrangement.peek()[each].includes(panel));
+  if (column) openColumn(layoutName.peek(), column);
+}
+
+/** Shows a panel, whatever is closed or fills the page. */
+export function reveal(panel: Panel): void {
+  untracked(() => {
+    const { value: whole } = wholePanel;
+    if (whole !== undefined && whole !== panel) fillPage(undefined);
+    openColumnOf(panel);
+  });
+}
+
+/** Who wants to see the warnings or a line of the program sees them. */
 export function followWishes(): void {
   effect(() => {
-    if (layout.listWishes.value === 0) return;
-    const whole = wholePanel.peek();
-    if (whole !== undefined && whole !== "values") fillPage(undefined);
+    if (layout.listWishes.value > 0) reveal("values");
+  });
+  effect(() => {
+    if (layout.wishedLine.value) reveal("program");
+  });
+}
+
+/**
+ * Who opens a lesson sees its guide.
+ * @param last the lesson that was open when the page was left: it comes back as it was
+ */
+export function followLessons(last: unknown): void {
+  let open = last;
+  effect(() => {
+    const lesson = source.lesson.value;
+    const isOpened = lesson.id !== open && lesson.id !== ownProgram.id;
+    open = lesson.id;
+    // A failing run goes with the lesson that was open, and its layout, too.
+    const name = layoutOf(lesson) ?? "usual";
+    if (isOpened) {
+      untracked(() => {
+        openColumn(name, "left");
+      });
+    }
   });
 }
