@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { editor, expectAccessible, fromMenu, open, runUnpowered } from "./support.js";
+import { editor, expectAccessible, fromMenu, open, openOwn, runUnpowered } from "./support.js";
 
 /** How wide a rail is, and the distance of columns and of the edge of the window. */
 const [rail, gap] = [44, 8];
@@ -169,6 +169,25 @@ test("scope and editor are as wide as their columns after one was closed", async
     .poll(async () => (await editor.boundingBox())?.width)
     .toBeCloseTo(1440 - guide - rail - 4 * gap, 0);
   await expect(page.locator(".cm-line").first()).toBeInViewport();
+});
+
+test("the guide of a program of one's own is a rail, until it is opened", async ({ page }) => {
+  await open(page);
+  await page.getByLabel("Choose a lesson").focus();
+  await openOwn(page);
+  await expect(names(page)).toHaveText(["Lesson"]);
+  await expect(names(page)).toBeFocused();
+  await expectAccessible(page);
+  await page.keyboard.press("Enter");
+  const title = page.getByRole("heading", { name: "Your own program" });
+  await expect(title).toBeVisible();
+  await page.reload();
+  await expect(title).toBeVisible();
+  await fromMenu(page, "Reset layout");
+  await expect(title).toBeHidden();
+  await fromMenu(page, "Samples");
+  await page.getByRole("button", { name: "Electronic gear" }).click();
+  await expect(page.getByRole("heading", { name: "Electronic gear" })).toBeVisible();
 });
 
 test("a check and an exploration open the guide, where they say what they find", async ({

@@ -44,8 +44,15 @@ export function status(page: Page): Locator {
   return page.locator(".status-text");
 }
 
+/** Chooses in the list of the guide, which is opened first where it is a rail. */
+export async function chooseLesson(page: Page, lesson: string): Promise<void> {
+  const rail = page.locator(".column-rail").getByRole("button", { name: "Lesson" });
+  if (await rail.isVisible()) await rail.click();
+  await page.getByLabel("Choose a lesson").selectOption(lesson);
+}
+
 export async function openOwn(page: Page): Promise<void> {
-  await page.getByLabel("Choose a lesson").selectOption("own");
+  await chooseLesson(page, "own");
   await expect(page.getByRole("button", { name: "program.c" })).toBeVisible();
   await expect(status(page)).toHaveText("Card ready.");
 }

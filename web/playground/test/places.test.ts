@@ -95,6 +95,20 @@ test("columns of each layout are closed until they are opened", () => {
   expect(closedIn("threads")).toEqual([]);
 });
 
+test("the guide of a free program is closed until it is opened", () => {
+  const storage = stubStorage();
+  keepPlaces();
+  expect(closedIn("free")).toEqual(["left"]);
+  openColumn("free", "left");
+  expect(closedIn("free")).toEqual([]);
+  expect(JSON.parse(storage.get("oncard.places") ?? "")).toEqual({ free: { closed: [] } });
+  closeColumn("free", "left");
+  expect(placesOf("free")).toEqual({});
+  openColumn("free", "left");
+  resetPlaces("free");
+  expect(closedIn("free")).toEqual(["left"]);
+});
+
 test("what is open already stays as it was", () => {
   stubStorage();
   keepPlaces();

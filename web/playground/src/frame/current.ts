@@ -1,7 +1,7 @@
 // The layout of the page: what the open lesson names, or that of a failing run; which columns of it are
 // closed, and the panel that fills it.
 
-import { layoutOf } from "@oncard/lessons";
+import { type Lesson, layoutOf } from "@oncard/lessons";
 import { computed, effect, untracked } from "@preact/signals";
 
 import { failingRun } from "../interleaving/failing_run.js";
@@ -9,7 +9,7 @@ import { isOpening } from "../lesson/opening.js";
 import { record } from "../session/record.js";
 import { arrangementFor, columns } from "../store/arrangement.js";
 import { layout, type Panel } from "../store/layout.js";
-import { ownProgram } from "../store/own_program.js";
+import { isFree, ownProgram } from "../store/own_program.js";
 import { closedIn, fillWith, openColumn, placesOf, type WholePanel } from "../store/places.js";
 import { source } from "../store/source.js";
 
@@ -25,8 +25,12 @@ export const arrangement = computed(() =>
 
 /** By this name its places are kept. */
 export const layoutName = computed(() =>
-  failingRun.value ? "failing" : (namedLayout.value ?? "usual"),
+  failingRun.value ? "failing" : (namedLayout.value ?? unnamed(source.lesson.value)),
 );
+
+function unnamed(lesson: Lesson): string {
+  return isFree(lesson) ? "free" : "usual";
+}
 
 /** The panel that fills the page, if one does; the opening shows all that it has. */
 export const wholePanel = computed(() =>
@@ -84,7 +88,7 @@ export function followLessons(last: unknown): void {
     const isOpened = lesson.id !== open && lesson.id !== ownProgram.id;
     open = lesson.id;
     // A failing run goes with the lesson that was open, and its layout, too.
-    const name = layoutOf(lesson) ?? "usual";
+    const name = layoutOf(lesson) ?? unnamed(lesson);
     if (isOpened) {
       untracked(() => {
         openColumn(name, "left");

@@ -57,6 +57,11 @@ export const ownProgram: Lesson = {
   scope: ["axis1.prfVel", "axis2.prfVel"],
 };
 
+/** Whether nothing is to be read beside a program: it belongs neither to a lesson nor to a sample. */
+export function isFree({ text }: Lesson): boolean {
+  return text === ownProgram.text;
+}
+
 /**
  * The place for programs of the reader's own, with the names of the files that are there. Those of a
  * sample also bring its words and its channels.

@@ -19,6 +19,9 @@ export type Places = KeptPlaces[string];
 /** A panel that can fill the page. */
 export type WholePanel = NonNullable<Places["whole"]>;
 
+/** What is closed until the reader opens it. */
+const closedAtFirst: Record<string, readonly ColumnName[]> = { free: ["left"] };
+
 const [{ places }, change] = slice<{ places: KeptPlaces }>({ places: {} });
 
 export function placesOf(layout: string): Places {
@@ -48,7 +51,7 @@ export function heighten(layout: string, panel: Panel, part: number | undefined)
 }
 
 export function closedIn(layout: string): readonly ColumnName[] {
-  return placesOf(layout).closed ?? [];
+  return placesOf(layout).closed ?? closedAtFirst[layout] ?? [];
 }
 
 /** Closes a column, unless it is the last one that is open. */
@@ -68,7 +71,8 @@ export function openColumn(layout: string, column: ColumnName): void {
 function putClosed(layout: string, wished: readonly ColumnName[]): void {
   const closed = columns.filter((each) => wished.includes(each));
   if (closed.length === columns.length) return;
-  put(layout, "closed", closed.length > 0 ? closed : undefined);
+  const isUsual = String(closed) === String(closedAtFirst[layout] ?? []);
+  put(layout, "closed", isUsual ? undefined : closed);
 }
 
 /** Lets a panel fill the page; undefined: all are shown. */
