@@ -3,6 +3,7 @@ import { expect, test } from "vitest";
 import {
   channelNames,
   csvOf,
+  envelope,
   extremes,
   inDivisions,
   legendOf,
@@ -136,4 +137,14 @@ test("every second division has its value", () => {
   expect(valuesAtDivisions(sweep, undefined).join("")).toBe("");
   expect(valuesAtDivisions(sweep, { ...curve, name: "gone", offset: 0 }).join("")).toBe("");
   expect(valuesAtDivisions(sweep, { ...curve, offset: 0, isDigital: true }).join("")).toBe("");
+});
+
+const curve = (name: string) => ({ name, offset: 0, isDigital: false });
+
+test("the envelope goes through both ends of each part, in the direction of the curve", () => {
+  // 50 / 4 = 12.5: 20 units per division.
+  const [times, line] = envelope(sweep, [curve("v")]);
+  expect(times).toEqual([0, 1, 2, 3, 4, 5, 6, 7]);
+  expect(line).toEqual([0, 0, 0.5, 1, 2.5, -0.15, 2, 2]);
+  expect(envelope(sweep, [curve("other")])[1]).toEqual(times.map(() => null));
 });

@@ -104,6 +104,32 @@ export function valuesAtDivisions(sweep: Sweep, setting: Drawn | undefined): str
   });
 }
 
+/**
+ * The lines of the screen: times, and for each channel its places in divisions. At the time of each part
+ * there are its least and its largest value, so that no spike is lost. Lanes have none.
+ */
+export function envelope(sweep: Sweep, drawn: Drawn[]): [number[], ...(number | null)[][]] {
+  const parts = sweep.channels[0]?.least.length ?? 0;
+  const width = partWidth(sweep, parts);
+  const times: number[] = [];
+  for (let index = 0; index < parts; ++index) {
+    const begin = sweep.fromMs + index * width;
+    times.push(begin, begin + width / 2);
+  }
+  const lines = drawn.map((setting) => {
+    const channel = sweep.channels.find(({ name }) => name === setting.name);
+    if (!channel || setting.isDigital) return times.map(() => null);
+    const per = unitsPerDivision(setting, channel);
+    return channel.least.flatMap((low, index) => {
+      const high = channel.largest[index] ?? low;
+      const rises = (channel.least[index - 1] ?? low) <= low;
+      const pair = rises ? [low, high] : [high, low];
+      return pair.map((value) => inDivisions(value, per, setting.offset));
+    });
+  });
+  return [times, ...lines];
+}
+
 /** What the picture says of each channel: its name and, of a curve, how much a division is. */
 export function legendOf(sweep: Sweep, drawn: Drawn[], units: Units): string[] {
   return drawn.map((setting) => {

@@ -3,49 +3,10 @@
 
 import uPlot from "uplot";
 
-import {
-  divisions,
-  type Drawn,
-  inDivisions,
-  unitsPerDivision,
-  valuesAtDivisions,
-} from "./channels.js";
+import { channelColour, token } from "../style/colours.js";
+import { divisions, type Drawn, envelope, valuesAtDivisions } from "./channels.js";
 import { drawLane, laneHeight, runsOf } from "./lanes.js";
 import { partWidth, type Sweep } from "./trigger.js";
-
-/** Colours by the place of a channel; those of the page's style. */
-export function channelColour(index: number): string {
-  return getComputedStyle(document.documentElement)
-    .getPropertyValue(`--channel-${index % 8}`)
-    .trim();
-}
-
-function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
-
-/** The envelope: at the time of each part its least and its largest value. Lanes have none. */
-export function envelope(sweep: Sweep, settings: Drawn[]): uPlot.AlignedData {
-  const parts = sweep.channels[0]?.least.length ?? 0;
-  const width = partWidth(sweep, parts);
-  const times: number[] = [];
-  for (let index = 0; index < parts; ++index) {
-    const begin = sweep.fromMs + index * width;
-    times.push(begin, begin + width / 2);
-  }
-  const lines = settings.map((setting) => {
-    const channel = sweep.channels.find(({ name }) => name === setting.name);
-    if (!channel || setting.isDigital) return times.map(() => null);
-    const per = unitsPerDivision(setting, channel);
-    return channel.least.flatMap((low, index) => {
-      const high = channel.largest[index] ?? low;
-      const rises = (channel.least[index - 1] ?? low) <= low;
-      const pair = rises ? [low, high] : [high, low];
-      return pair.map((value) => inDivisions(value, per, setting.offset));
-    });
-  });
-  return [times, ...lines];
-}
 
 /** Between the edges of the screen and its divisions, in pixels; the values are at the left. */
 export const screenPadding = { top: 6, right: 24, left: 56 };
@@ -106,10 +67,10 @@ export class Plot {
 
   #options(drawn: Drawn[], width: number, height: number): uPlot.Options {
     const axis = {
-      stroke: colour("--muted"),
-      grid: { stroke: colour("--line"), width: 1 },
+      stroke: token("--muted"),
+      grid: { stroke: token("--line"), width: 1 },
       ticks: { show: false },
-      font: `11px ${colour("--sans")}`,
+      font: `11px ${token("--sans")}`,
     };
     const below = lanesOf(drawn).length * laneHeight;
     return {
@@ -127,7 +88,7 @@ export class Plot {
           size: screenPadding.left,
           stroke: () => {
             const { scaleOf } = this.#marks;
-            return scaleOf < 0 ? colour("--muted") : channelColour(scaleOf);
+            return scaleOf < 0 ? token("--muted") : channelColour(scaleOf);
           },
           values: () => this.#values,
           splits: () => Array.from({ length: 2 * divisions + 1 }, (_, index) => index - divisions),
@@ -167,7 +128,7 @@ export class Plot {
       drawLane(ctx, runsOf(channel), top, xOf, ratio, channelColour(index));
       ctx.save();
       ctx.fillStyle = channelColour(index);
-      ctx.font = `bold ${11 * ratio}px ${colour("--sans")}`;
+      ctx.font = `bold ${11 * ratio}px ${token("--sans")}`;
       ctx.textAlign = "right";
       ctx.textBaseline = "middle";
       ctx.fillText(String(index + 1), bbox.left - scaleGap * ratio, top + (laneHeight * ratio) / 2);
@@ -197,9 +158,9 @@ export class Plot {
       ctx.restore();
     };
     const { cursors, trigger } = this.#marks;
-    if (trigger !== undefined) line(trigger, colour("--warn"), [2, 3], "T");
+    if (trigger !== undefined) line(trigger, token("--warn"), [2, 3], "T");
     cursors.forEach((time, index) => {
-      line(time, colour("--ink"), [5, 3], index === 0 ? "A" : "B");
+      line(time, token("--ink"), [5, 3], index === 0 ? "A" : "B");
     });
   }
 
@@ -221,12 +182,12 @@ export class Plot {
     copy.height = canvas.height + top;
     const context = copy.getContext("2d");
     if (!context) return Promise.resolve(null);
-    context.fillStyle = colour("--surface");
+    context.fillStyle = token("--surface");
     context.fillRect(0, 0, copy.width, copy.height);
     context.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     [heading, ...legend].forEach((text, index) => {
-      context.fillStyle = index === 0 ? colour("--ink") : channelColour(index - 1);
+      context.fillStyle = index === 0 ? token("--ink") : channelColour(index - 1);
       context.fillText(text, line / 2, (index + 0.75) * line);
     });
     context.drawImage(canvas, 0, top);

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
 import { present, session } from "../session/bench.js";
+import { save } from "../share/save.js";
 import { isDark, settings } from "../store/settings.js";
 import { source } from "../store/source.js";
 import { number } from "../texts/number.js";
@@ -131,14 +132,4 @@ export function ScopePanel() {
       <Cursors sweep={sweep} onPut={put} />
     </div>
   );
-}
-
-function save(name: string, content: Blob): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => {
-    URL.revokeObjectURL(link.href);
-  }, 1000);
 }
