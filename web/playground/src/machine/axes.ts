@@ -46,6 +46,9 @@ export interface Reach {
   largest: number;
 }
 
+/** More axes than these have a row each. */
+export const mostStages = 4;
+
 function valueOf(part: CardPart, name: string): number {
   return part.values.find((value) => value.name === name)?.value ?? 0;
 }
@@ -182,7 +185,10 @@ export function aheadOf(paths: readonly CardPath[], { x, y }: TableAxes): Place[
 }
 
 /** A position without its unit: of pulses, a tenth is enough. */
-export function positionNumber({ position, positionUnit }: AxisView): string {
+export function positionNumber({
+  position,
+  positionUnit,
+}: Pick<AxisView, "position" | "positionUnit">): string {
   return number(position, positionUnit === "pulse" ? 1 : 3);
 }
 
@@ -199,16 +205,15 @@ export type Place = readonly [x: number, y: number];
 /** The way of two axes, one place for each part of their traces. */
 export function wayOf([x, y]: readonly Range[]): Place[] {
   if (!x || !y) return [];
-  const tops = positionsOf(y);
-  return positionsOf(x).map((value, index) => [value, tops[index] ?? 0]);
+  const tops = endsOf(y);
+  return endsOf(x).map((value, index) => [value, tops[index] ?? 0]);
 }
 
 /**
- * The positions of an axis, one for each part of its trace: the end of what it travelled there, which
- * is the one further away from where it was before. Both axes of a table then are where they were at the
- * same time, and straight lines are straight.
+ * The values at the ends of the parts of a trace: of each part the one further away from where it began.
+ * Both axes of a table then are where they were at the same time, and straight lines are straight.
  */
-function positionsOf({ least, largest }: Range): number[] {
+export function endsOf({ least, largest }: Range): number[] {
   const [first = 0, second = first] = least;
   let before = second < first ? (largest[0] ?? first) : first;
   return largest.map((high, index) => {

@@ -10,6 +10,7 @@ import {
   type AxisView,
   grown,
   isTable,
+  mostStages,
   pin,
   type Place,
   type Reach,
@@ -23,9 +24,6 @@ import { colourOf, Readings, States } from "./readings.js";
 import { Rotary } from "./rotary.js";
 import type { Seen } from "./seen.js";
 import { AxisRow, Stage } from "./stage.js";
-
-/** More axes than these have a row each. */
-const mostStages = 4;
 
 /** Whether the reader wants a table; until then the machine decides. */
 const tableIsWanted = signal<boolean | undefined>(undefined);
