@@ -1,0 +1,96 @@
+// What the frames of a run show, from traces of it.
+// Tested by test/run_shown.test.ts.
+
+import type { Channel } from "@oncard/engine";
+
+import { type AxisView, endsOf, grown, type Reach } from "../machine/axes.js";
+import { envelope, type Setting, type Units, unitsPerDivision } from "../scope/channels.js";
+import { number } from "../texts/number.js";
+
+/** From the start of the run to the present. */
+export interface ShownRun {
+  title: string;
+  endMs: number;
+  /** Those that the machine view shows. */
+  axes: readonly ShownAxis[];
+  /** The first two axes move a table. */
+  isTable: boolean;
+  curves: readonly Curve[];
+}
+
+export interface ShownAxis {
+  axis: number;
+  name: string;
+  unit: string;
+  /** Where it is at the end of each part of the run; the parts are equally long. */
+  positions: readonly number[];
+  /** At the end of the run. */
+  moving: boolean;
+  reach: Reach;
+}
+
+/** A channel of the scope. */
+export interface Curve {
+  /** Among the channels; it has the colour of its place. */
+  place: number;
+  name: string;
+  /** What a division is. */
+  scale: string;
+  /** At the ends of the parts. */
+  values: readonly number[];
+  /** Times in ms, and divisions from the middle. */
+  line: readonly (readonly [timeMs: number, division: number])[];
+}
+
+/** The channel of a trace with what a carriage shows: where the encoder is, if the axis has one. */
+export function carriageOf(axis: number, names: ReadonlySet<string>): string {
+  const encoder = `axis${axis}.encPos`;
+  return names.has(encoder) ? encoder : `axis${axis}.prfPos`;
+}
+
+/** An axis with the trace of its position. */
+export function shownAxis(
+  { axis, positionUnit: unit, moving }: AxisView,
+  name: string,
+  trace: Channel,
+): ShownAxis {
+  const positions = endsOf(trace);
+  const reach = positions.reduce<Reach>(
+    (before, position) => grown(before, position, unit),
+    grown(undefined, 0, unit),
+  );
+  return { axis, name, unit, positions, moving, reach };
+}
+
+/** Whether it moves at the end of a part. */
+export function isMoving({ positions, moving }: ShownAxis, part: number): boolean {
+  return part + 1 < positions.length ? positions[part + 1] !== positions[part] : moving;
+}
+
+/** The curves of the channels that have traces, as the scope draws its whole run. */
+export function curvesOf(
+  traces: Channel[],
+  settings: Setting[],
+  units: Units,
+  endMs: number,
+  scaleText: (units: string) => string,
+): Curve[] {
+  const sweep = { fromMs: 0, toMs: endMs, endMs, channels: traces };
+  // Digital channels are curves among the others.
+  const drawn = settings.map((setting) => ({ ...setting, isDigital: false }));
+  const [times, ...lines] = envelope(sweep, drawn);
+  return settings.flatMap((setting, index) => {
+    const trace = traces.find(({ name }) => name === setting.name);
+    if (!trace) return [];
+    const unit = units.get(setting.name) ?? "";
+    const per = `${number(unitsPerDivision(setting, trace), 6)} ${unit}`.trim();
+    const line = times.map((time, at) => [time, lines[index]?.[at] ?? 0] as const);
+    const { name } = setting;
+    return [{ place: index, name, scale: scaleText(per), values: endsOf(trace), line }];
+  });
+}
+
+/** Which of so many parts a time lies in. */
+export function partAt(timeMs: number, endMs: number, parts: number): number {
+  return Math.min(parts, Math.max(1, Math.ceil((timeMs / endMs) * parts))) - 1;
+}
