@@ -1,20 +1,33 @@
-// The link of the open project, at its start or where its run is, and a frame with it for other pages.
+// The link of the open project, at its start or where its run is, a frame with it for other pages, and a
+// picture of the run.
 
 import { useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
 import { present } from "../session/bench.js";
 import { texts } from "../texts/texts.js";
+import { RunPicture } from "../video/run_picture.js";
 import { CopyableLink } from "./copyable_link.js";
 import { frameOf, presentPlace, shareLink } from "./project_link.js";
 
 export function ShareDialog({ onClose }: { onClose: () => void }) {
+  return (
+    <Dialog title={texts.value.share.title} onClose={onClose}>
+      <div class="share">
+        <Links />
+        <RunPicture />
+      </div>
+    </Dialog>
+  );
+}
+
+function Links() {
   const { share: t } = texts.value;
   const [place] = useState(presentPlace);
   const [isHere, setHere] = useState(place?.recording !== undefined);
   const link = shareLink(isHere ? place : undefined);
   return (
-    <Dialog title={t.title} onClose={onClose}>
+    <div class="share-links">
       <p>{t.text}</p>
       {place ? (
         <label class="row">
@@ -32,6 +45,6 @@ export function ShareDialog({ onClose }: { onClose: () => void }) {
       )}
       <CopyableLink label={t.link} link={link} />
       {!link.startsWith("#") && <CopyableLink label={t.frame} link={frameOf(link)} />}
-    </Dialog>
+    </div>
   );
 }

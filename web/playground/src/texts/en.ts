@@ -341,6 +341,15 @@ export const en = {
     mistaken: "This link has mistakes. Your own programs are unchanged.",
     unknownLesson: (id: string) => `There is no lesson '${id}' here.`,
   },
+
+  video: {
+    title: "Picture",
+    preview: (ms: string) => `Machine and scope at ${ms} ms`,
+    nothing: "Nothing to show yet: run the program first.",
+    savePicture: "Save the picture",
+    copyPicture: "Copy the picture",
+    copied: "Copied.",
+  },
 };
 
 export type Texts = typeof en;

@@ -330,4 +330,13 @@ export const zh: Texts = {
     mistaken: "此链接的内容有错误。您自己的程序没有变化。",
     unknownLesson: (id) => `这里没有课程“${id}”。`,
   },
+
+  video: {
+    title: "图片",
+    preview: (ms) => `${ms} ms 时的机器和示波器`,
+    nothing: "还没有可显示的内容：请先运行程序。",
+    savePicture: "保存图片",
+    copyPicture: "复制图片",
+    copied: "已复制。",
+  },
 };
