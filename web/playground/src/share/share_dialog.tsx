@@ -1,5 +1,5 @@
 // The link of the open project, at its start or where its run is, a frame with it for other pages, and a
-// picture of the run.
+// picture and a video of the run.
 
 import { useState } from "preact/hooks";
 

@@ -343,12 +343,20 @@ export const en = {
   },
 
   video: {
-    title: "Picture",
+    title: "Picture and video",
     preview: (ms: string) => `Machine and scope at ${ms} ms`,
     nothing: "Nothing to show yet: run the program first.",
+    unable: "This browser cannot record videos.",
+    failed: "The video could not be recorded.",
+    record: "Record a video",
+    seconds: (seconds: string) => `Recording takes ${seconds} s.`,
+    recording: "Recording",
+    video: "Video of the run",
+    saveVideo: "Save the video",
     savePicture: "Save the picture",
     copyPicture: "Copy the picture",
     copied: "Copied.",
+    speed: (times: string) => `${times}× the speed of the card`,
   },
 };
 

@@ -332,11 +332,19 @@ export const zh: Texts = {
   },
 
   video: {
-    title: "图片",
+    title: "图片和视频",
     preview: (ms) => `${ms} ms 时的机器和示波器`,
     nothing: "还没有可显示的内容：请先运行程序。",
+    unable: "此浏览器无法录制视频。",
+    failed: "未能录制视频。",
+    record: "录制视频",
+    seconds: (seconds) => `录制需要 ${seconds} s。`,
+    recording: "正在录制",
+    video: "运行的视频",
+    saveVideo: "保存视频",
     savePicture: "保存图片",
     copyPicture: "复制图片",
     copied: "已复制。",
+    speed: (times) => `控制卡速度的 ${times} 倍`,
   },
 };
