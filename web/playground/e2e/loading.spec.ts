@@ -1,4 +1,4 @@
-// How the module comes into the page.
+// What comes with the page: the module, and what others see of it.
 
 import { expect, test } from "@playwright/test";
 
@@ -32,4 +32,16 @@ test("a module is also taken from a server that does not know its type", async (
     await route.fulfill({ response, headers: { "Content-Type": "application/octet-stream" } });
   });
   await open(page);
+});
+
+test("links to the page have a preview, which lies beside it", async ({ page, request }) => {
+  await page.goto(".");
+  const of = (name: string) => page.locator(`meta[property="og:${name}"]`).getAttribute("content");
+  const answer = await request.get((await of("image")) ?? "");
+  expect(answer.headers()["content-type"]).toBe("image/png");
+  const picture = await answer.body();
+  const size = [picture.readUInt32BE(16), picture.readUInt32BE(20)].map(String);
+  expect([await of("image:width"), await of("image:height")]).toEqual(size);
+  // Some networks leave out larger ones.
+  expect(picture.length).toBeLessThan(300_000);
 });

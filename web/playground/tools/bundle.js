@@ -15,6 +15,9 @@ import { recordSamples } from "./record_samples.js";
 
 const here = fileURLToPath(new URL("..", import.meta.url));
 
+/** What links to the page show. It is not taken anew, so that the same tree gives the same page. */
+const preview = join(here, "../../docs/pictures/playground-preview.png");
+
 /** The lessons and the samples as a module of the bundle. */
 const lessonsWith = (pictures) => ({
   name: "lessons",
@@ -78,6 +81,7 @@ export async function bundle(folder, modules) {
     plugins: [lessonsWith(pictures)],
   });
   for (const file of ["index.html", "icon.svg"]) copyFileSync(join(here, file), join(folder, file));
+  copyFileSync(preview, join(folder, "preview.png"));
   for (const module of modules) copyFileSync(module, join(folder, basename(module)));
   const packages = Object.keys(metafile.inputs).map((path) => packageOf(resolve(here, path)));
   const others = [

@@ -17,7 +17,8 @@ const browser = await chromium.launch({
   args: process.getuid() === 0 ? ["--no-sandbox"] : [],
 });
 
-async function take(name, { width, height, colorScheme }, address, act) {
+/** Opens the page, does something there, and writes the picture that `take` has of it. */
+async function picture(name, { width, height, colorScheme }, address, act, take = screenshot) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme,
@@ -28,17 +29,31 @@ async function take(name, { width, height, colorScheme }, address, act) {
   const tab = await context.newPage();
   await tab.goto(address);
   await act(tab);
+  await take(tab, join(folder, `playground-${name}.png`));
+  await context.close();
+}
+
+async function screenshot(tab, path) {
   // The panels ask the session for what they draw.
   await tab.waitForTimeout(700);
-  await tab.screenshot({ path: join(folder, `playground-${name}.png`) });
-  await context.close();
+  await tab.screenshot({ path });
+}
+
+/** The picture that the page makes itself. */
+async function shared(tab, path) {
+  await tab.getByRole("button", { name: "Share" }).click();
+  const saved = tab.waitForEvent("download");
+  await tab.getByRole("dialog").getByRole("button", { name: "Save the picture" }).click();
+  await (await saved).saveAs(path);
 }
 
 const finished = (tab) => tab.getByText("Card: finished.").waitFor({ state: "attached" });
 const desk = { width: 1440, height: 900 };
 
-await take("light", { ...desk, colorScheme: "light" }, page, finished);
-await take(
+const light = { ...desk, colorScheme: "light" };
+await picture("light", light, page, finished);
+await picture("preview", light, page, finished, shared);
+await picture(
   "explore",
   { ...desk, height: 810, colorScheme: "dark" },
   `${page}#lesson=lost-update`,
@@ -50,7 +65,7 @@ await take(
   },
 );
 const phone = { width: 390, height: 844, colorScheme: "light" };
-await take("phone", phone, page, async (tab) => {
+await picture("phone", phone, page, async (tab) => {
   await finished(tab);
   await tab.getByRole("button", { name: "Machine" }).click();
 });
