@@ -158,8 +158,8 @@ test("axes are shown whole in a column of any width", async ({ page }) => {
   const border = page.getByRole("separator", { name: "Width of the right column" });
   const cut = () =>
     page
-      .locator(".axis-row")
-      .evaluateAll((rows) => rows.map((each) => each.scrollWidth - each.clientWidth));
+      .locator(".coordinate")
+      .evaluateAll((axes) => axes.map((each) => each.scrollWidth - each.clientWidth));
   for (const width of [1440, 1200]) {
     await page.setViewportSize({ width, height: 900 });
     expect(await cut(), `at ${width} pixels`).toEqual([0, 0]);
@@ -254,4 +254,21 @@ test("each panel beside the lesson can fill the page, at every size", async ({ p
   }
   await page.setViewportSize({ width: 390, height: 844 });
   await expect(page.getByRole("button", { name: /^Maximise/ })).toHaveCount(0);
+});
+
+test("F6 goes to the next panel, also from the editor, and Shift+F6 back", async ({ page }) => {
+  await open(page, "#lesson=assignment");
+  const focused = () =>
+    page.evaluate(() => document.activeElement?.closest(".panel")?.id ?? "nowhere");
+  const all = await page.locator("main .panel").evaluateAll((panels) => panels.map(({ id }) => id));
+  await page.locator("#program .cm-content").click();
+  expect(await focused()).toBe("program");
+  await page.keyboard.press("F6");
+  expect(await focused()).toBe(all[all.indexOf("program") + 1]);
+  await page.keyboard.press("Shift+F6");
+  expect(await focused()).toBe("program");
+  await page.keyboard.press("Shift+F6");
+  expect(await focused()).toBe("lesson");
+  await page.keyboard.press("Shift+F6"); // before the first one is the last one
+  expect(await focused()).toBe(all.at(-1));
 });

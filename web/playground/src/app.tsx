@@ -77,6 +77,7 @@ function Box({ name }: { name: Panel }) {
       }}
       aria-labelledby={`panel-${name}`}
       id={name}
+      tabIndex={-1}
     >
       <span class="panel-buttons">
         <CloseButton panel={name} title={title} />

@@ -1,6 +1,7 @@
 // What the reader can do with the card, and the keys for it: buttons and keys do the same.
 
 import { openColumnOf, reveal } from "../frame/current.js";
+import { focusPanel } from "../frame/focus.js";
 import { failingRun } from "../interleaving/failing_run.js";
 import { checkTask, explore } from "../lesson/checks.js";
 import { showVerdict } from "../lesson/verdict.js";
@@ -59,6 +60,12 @@ export const actions = {
     const line = layout.chosenLine.peek();
     if (line > 0) toggleBreakpoint(line);
   },
+  nextPanel: () => {
+    focusPanel(1);
+  },
+  previousPanel: () => {
+    focusPanel(-1);
+  },
 };
 
 export type Action = keyof typeof actions;
@@ -82,6 +89,8 @@ export const keys: Record<Action, Key> = {
   faster: { key: ".", control: true },
   check: { key: "F7" },
   breakpoint: { key: "F8", control: true },
+  nextPanel: { key: "F6" },
+  previousPanel: { key: "F6", shift: true },
 };
 
 /** As keys are written: Ctrl+Enter. */

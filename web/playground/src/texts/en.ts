@@ -71,6 +71,8 @@ export const en = {
     explore: "Explore all interleavings",
     check: "Check the task",
     breakpoint: "Breakpoint at the cursor's line, or none",
+    nextPanel: "To the next panel",
+    previousPanel: "To the panel before",
     describe: "What the name at the cursor is",
     complete: "Words that can stand at the cursor",
     escape: "Leave the editor: then Tab moves on",

@@ -72,6 +72,8 @@ export const zh: Texts = {
     explore: "探索所有交错",
     check: "检查任务",
     breakpoint: "在光标所在行设置或取消断点",
+    nextPanel: "到下一个面板",
+    previousPanel: "到上一个面板",
     describe: "光标处的名称是什么",
     complete: "光标处可以写的词",
     escape: "离开编辑器：之后 Tab 移到下一处",
