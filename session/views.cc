@@ -190,6 +190,7 @@ Json PartView(const runtime::MotionPart& part, size_t index, const RewindableRun
     if (value.unit != runtime::Unit::kNone) {
       json["unit"] = found.value().front().UnitText(run.controller().family().cycle_ns != 0);
     }
+    if (value.form == runtime::NumberForm::kFlag) json["flag"] = true;
     values.push_back(std::move(json));
   }
   return {{"part", part.name}, {"number", number}, {"values", std::move(values)}};
@@ -317,12 +318,10 @@ nlohmann::ordered_json CardView(const RewindableRun& run, Language language) {
   for (const std::string_view name : runtime::WordNames()) {
     const auto found = runtime::ResolveQuantity(name, run.controller());
     if (!found.ok()) continue;
-    const auto input = runtime::FindInputWord(name);
-    Json word = {{"name", name},
-                 {"kind", input ? "input" : "output"},
-                 {"value", ValueView(found.value().front(), run)}};
-    if (input) word["pins"] = motion::DiWidth(*input);
-    words.push_back(std::move(word));
+    words.push_back({{"name", name},
+                     {"kind", runtime::FindInputWord(name) ? "input" : "output"},
+                     {"value", ValueView(found.value().front(), run)},
+                     {"pins", runtime::WordWidth(name)}});
   }
   Json switches = Json::array();
   for (const motion::PositionSwitch& contact : core.state().switches) {

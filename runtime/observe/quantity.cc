@@ -285,14 +285,18 @@ Error UnknownPart(std::string_view name, const PartName& split) {
   return UnknownName(name, only);
 }
 
+int WidthOf(const WordName& word) {
+  return word.output ? motion::DoWidth(static_cast<motion::DoType>(word.number))
+                     : motion::DiWidth(static_cast<motion::DiType>(word.number));
+}
+
 Result<std::vector<Quantity>> ResolveWord(const WordName& word, const IndexedName& name) {
   Quantity quantity;
   quantity.word = word.number;
   quantity.name = word.name;
   quantity.kind = word.output ? QuantityKind::kOutputWord : QuantityKind::kInputWord;
   if (name.index) {
-    const int width = word.output ? motion::DoWidth(static_cast<motion::DoType>(word.number))
-                                  : motion::DiWidth(static_cast<motion::DiType>(word.number));
+    const int width = WidthOf(word);
     if (*name.index < 1 || *name.index > width) {
       return MakeError(1, "bits of '{0}' are numbered 1 to {1}", "“{0}”的位号为 1 至 {1}",
                        word.name, width);
@@ -491,6 +495,13 @@ std::optional<motion::DiType> FindInputWord(std::string_view name) {
     if (!word.output && word.name == name) return static_cast<motion::DiType>(word.number);
   }
   return std::nullopt;
+}
+
+int WordWidth(std::string_view name) {
+  for (const WordName& word : kWords) {
+    if (word.name == name) return WidthOf(word);
+  }
+  return 0;
 }
 
 std::string_view InputWordName(motion::DiType type) {

@@ -118,6 +118,8 @@ void AppendNumber(double value, NumberForm form, std::string* text);
 std::span<const std::string_view> WordNames();
 /// The input word of a name above; empty for another name.
 std::optional<motion::DiType> FindInputWord(std::string_view name);
+/// How many bits, and so pins, the word of a name above has; 0 for another name.
+int WordWidth(std::string_view name);
 /// The name of an input word.
 std::string_view InputWordName(motion::DiType type);
 

@@ -309,11 +309,19 @@ TEST_F(HostTest, ShowsTheCard) {
   EXPECT_EQ(card["parts"][0]["number"], 1);
   const Json value = card["parts"][0]["values"][0];
   EXPECT_EQ(value["path"], "axis1." + value["name"].get<std::string>());
-  const auto gpi = std::ranges::find(
-      card["words"], "gpi", [](const Json& word) { return word["name"].get<std::string>(); });
+  const auto named = [](const Json& each) { return each["name"].get<std::string>(); };
+  const auto moving = std::ranges::find(card["parts"][0]["values"], "moving", named);
+  ASSERT_NE(moving, card["parts"][0]["values"].end());
+  EXPECT_EQ((*moving)["flag"], true);
+  EXPECT_FALSE(value.contains("flag"));
+  const auto gpi = std::ranges::find(card["words"], "gpi", named);
   ASSERT_NE(gpi, card["words"].end());
   EXPECT_EQ((*gpi)["kind"], "input");
   EXPECT_EQ((*gpi)["pins"], 16);
+  const auto enable = std::ranges::find(card["words"], "enable", named);
+  ASSERT_NE(enable, card["words"].end());
+  EXPECT_EQ((*enable)["kind"], "output");
+  EXPECT_EQ((*enable)["pins"], 8);
 }
 
 TEST_F(HostTest, EvaluatesNamesAndConditions) {

@@ -1,17 +1,11 @@
 #include "runtime/scenario/file/view_toml.h"
 
-#include "motion/io/digital_io.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/file/key_table.h"
 #include "runtime/scenario/file/keyed_toml.h"
 
 namespace oncard::runtime {
 namespace {
-
-int WidthOf(const std::string& type) {
-  const auto input = FindInputWord(type);
-  return input ? motion::DiWidth(*input) : motion::DoWidth(motion::DoType::kGpo);
-}
 
 /// The largest number depends on other keys. A number beyond the range of its row has an error
 /// already, and was not read.
@@ -31,7 +25,7 @@ ViewPin ReadPin(const toml::table& table, TomlKeys& keys) {
                           "缺少“{0}”：管脚的写法如 {{ type = \"gpo\", index = 1, name = \"Pen\" }}",
                           key));
   }
-  CheckMost(table, "index", pin.index, WidthOf(pin.type), keys);
+  CheckMost(table, "index", pin.index, WordWidth(pin.type), keys);
   return pin;
 }
 

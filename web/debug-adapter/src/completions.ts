@@ -88,7 +88,7 @@ function cardNames({ parts, words }: Card): Offer[] {
     ...parts.flatMap(({ values }) =>
       values.map(({ path, unit }) => ({ rank, label: path, detail: unit })),
     ),
-    ...words.flatMap(({ name, kind, pins = 0 }) =>
+    ...words.flatMap(({ name, kind, pins }) =>
       [name, ...Array.from({ length: pins }, (_, bit) => `${name}[${bit + 1}]`)].map((label) => ({
         rank,
         label,

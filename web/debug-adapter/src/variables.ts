@@ -267,7 +267,7 @@ function shownName(name: string): string {
 
 /** The bits of an input word, from pin 1. */
 function pins(word: CardWord): DebugProtocol.Variable[] {
-  return Array.from({ length: word.pins ?? 0 }, (_, bit) => ({
+  return Array.from({ length: word.pins }, (_, bit) => ({
     name: String(bit + 1),
     value: String((word.value >> bit) & 1),
     variablesReference: 0,

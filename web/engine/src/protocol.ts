@@ -906,6 +906,10 @@ export interface CardPart {
     path: string;
     value: number;
     unit?: string;
+    /**
+     * It can only be 0 or 1.
+     */
+    flag?: boolean;
   }[];
 }
 /**
@@ -916,9 +920,9 @@ export interface CardWord {
   kind: "input" | "output";
   value: number;
   /**
-   * Inputs only: how many there are, from bit 0.
+   * How many there are, from bit 0.
    */
-  pins?: number;
+  pins: number;
 }
 /**
  * A switch as `[[world.switch]]` describes it.

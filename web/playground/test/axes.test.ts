@@ -30,7 +30,7 @@ const card = cardWith({
   })),
   words: [
     { name: "limit_positive", kind: "input", value: 0b10, pins: 8 },
-    { name: "gpo", kind: "output", value: 0x8000 },
+    { name: "gpo", kind: "output", value: 0x8000, pins: 16 },
   ],
 });
 

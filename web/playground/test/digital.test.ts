@@ -58,9 +58,13 @@ test("a word has no more pins than its names", async () => {
 
 const card = cardWith({
   parts: [
-    { part: "axis", number: 1, values: [{ name: "moving", path: "axis1.moving", value: 1 }] },
+    {
+      part: "axis",
+      number: 1,
+      values: [{ name: "moving", path: "axis1.moving", value: 1, flag: true }],
+    },
   ],
-  words: [{ name: "gpo", kind: "output", value: 0b1000_0000_0000_0010 }],
+  words: [{ name: "gpo", kind: "output", value: 0b1000_0000_0000_0010, pins: 16 }],
 });
 const variable = { name: "", type: "int", slot: 0, value: 1 };
 

@@ -11,13 +11,12 @@ export type SetInput = (word: string, pin: number, level: number) => void;
 
 interface PinsProps {
   word: CardWord;
-  pins: number;
   words: MachineWords;
   onInput: SetInput;
 }
 
-export function Pins({ word, pins, words, onInput }: PinsProps) {
-  const numbers = Array.from({ length: pins }, (_, index) => index + 1);
+export function Pins({ word, words, onInput }: PinsProps) {
+  const numbers = Array.from({ length: word.pins }, (_, index) => index + 1);
   const level = (pin: number) => (word.value >> (pin - 1)) & 1;
   return (
     <div class="pins">

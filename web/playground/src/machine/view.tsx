@@ -201,13 +201,13 @@ function AllWords({ card, words, onInput }: WordsProps) {
       {outputs && (
         <div>
           <h3>{words.outputs}</h3>
-          <Pins word={outputs} pins={16} {...pins} />
+          <Pins word={outputs} {...pins} />
         </div>
       )}
       <div>
         <h3>{words.inputs}</h3>
         {general.map((word) => (
-          <Pins key={word.name} word={word} pins={word.pins ?? 16} {...pins} />
+          <Pins key={word.name} word={word} {...pins} />
         ))}
         <details>
           <summary class="small">{words.moreInputs}</summary>
@@ -216,7 +216,7 @@ function AllWords({ card, words, onInput }: WordsProps) {
             .map((word) => (
               <div key={word.name} class="word">
                 <span class="small muted">{word.name}</span>
-                <Pins word={word} pins={word.pins ?? 8} {...pins} />
+                <Pins word={word} {...pins} />
               </div>
             ))}
         </details>

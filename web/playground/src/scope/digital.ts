@@ -4,31 +4,6 @@
 
 import type { Card, CardWord, Variable } from "@oncard/engine";
 
-/**
- * The flags among the values of the card, by its parts. The card does not say which they are; a test
- * compares them with the traces of the engine.
- */
-const flags: Readonly<Record<string, readonly string[]>> = {
-  axis: [
-    "alarm",
-    "followingError",
-    "posLimit",
-    "negLimit",
-    "smoothStop",
-    "abruptStop",
-    "servoOn",
-    "moving",
-    "inPosition",
-  ],
-  crd: ["run"],
-  // The part itself is the value.
-  hsio: [""],
-  laser: ["on"],
-};
-
-/** How many pins the words of outputs have; those of inputs say it. */
-const outputPins: Readonly<Record<string, number>> = { enable: 8, clear: 8, gpo: 16 };
-
 /** Variables hide words and values of the card that have their names. */
 function isHidden(name: string, variables: Variable[]): boolean {
   return variables.some(({ path }) => path === name);
@@ -38,7 +13,7 @@ function isHidden(name: string, variables: Variable[]): boolean {
 export function pinNames(card: Card | undefined, variables: Variable[]): string[] {
   return (card?.words ?? [])
     .filter(({ name }) => !isHidden(name, variables))
-    .flatMap(({ name, pins = outputPins[name] ?? 0 }) =>
+    .flatMap(({ name, pins }) =>
       Array.from({ length: pins }, (_, index) => `${name}[${index + 1}]`),
     );
 }
@@ -68,7 +43,7 @@ export function levelOfPin(
 export function isDigital(name: string, card: Card | undefined, variables: Variable[]): boolean {
   if (isHidden(name, variables)) return false;
   if (pinOf(name, card, variables)) return true;
-  return (card?.parts ?? []).some(({ part, values }) =>
-    values.some((value) => value.path === name && flags[part]?.includes(value.name)),
+  return (card?.parts ?? []).some(({ values }) =>
+    values.some(({ path, flag = false }) => flag && path === name),
   );
 }
