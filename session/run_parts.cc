@@ -1,4 +1,7 @@
+#include <iterator>
+
 #include "runtime/observe/thread_status.h"
+#include "runtime/scenario/file/view_setup.h"
 #include "session/host.h"
 #include "session/protocol_parts.h"
 #include "session/views.h"
@@ -157,10 +160,11 @@ std::vector<Part> ValueParts() {
                Has("switches", ListOf(The("CardSwitch"))), Has("paths", ListOf(The("CardPath"))),
                Has("view", The("MachineLook"))})},
       {"CardPart", "An axis, a profile, an encoder, ...",
-       Object({Has("part", Text()), Has("number", Whole()),
-               Has("values", ListOf(Object({Has("name", Text()), Has("path", Text()),
-                                            Has("value", Number()), MayHave("unit", Text()),
-                                            MayHave("flag", Flag(), "It can only be 0 or 1.")})))})},
+       Object(
+           {Has("part", Text()), Has("number", Whole()),
+            Has("values", ListOf(Object({Has("name", Text()), Has("path", Text()),
+                                         Has("value", Number()), MayHave("unit", Text()),
+                                         MayHave("flag", Flag(), "It can only be 0 or 1.")})))})},
       {"CardWord", "Inputs or outputs.",
        Object({Has("name", Text()), Has("kind", Words({"input", "output"})), Has("value", Number()),
                Has("pins", Whole(), "How many there are, from bit 0.")})},
@@ -176,7 +180,8 @@ std::vector<Part> ValueParts() {
             Has("whole", Flag(), "`false`: the path goes on after the last point.")})},
       {"MachineLook", "How the machine looks, as `[view]` of the scenario describes it.",
        Object({Has("title", Text(), "In the language of the session; may be empty."),
-               Has("kind", Words({"auto", "stages", "xy", "rotary", "gripper", "conveyor"})),
+               Has("kind",
+                   Words({std::begin(runtime::kMachineKinds), std::end(runtime::kMachineKinds)})),
                Has("x", Whole(), "An axis, as all three."), Has("y", Whole()),
                Has("z", Whole(), "0: none."), Has("turn", Number()),
                Has("pins", ListOf(Object({Has("type", Text(), "The name of a word."),

@@ -4,7 +4,6 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::string_view kKindNames[] = {"auto", "stages", "xy", "rotary", "gripper", "conveyor"};
 constexpr std::string_view kPinNames[] = {
     "gpi", "gpo", "home", "limit_positive", "limit_negative", "alarm", "arrive", "mpg"};
 
@@ -23,7 +22,7 @@ constexpr Key<ViewSetup> kViewKeys[] = {
       {"that of `title`", "与 `title` 相同"}},
      &ViewSetup::title_zh},
     {{"kind",
-      KeyType::Choice(kKindNames),
+      KeyType::Choice(kMachineKinds),
       {"what it looks like: a stage for each axis, an XY table, a rotary table, a gripper on a "
        "stage, a conveyor; `auto`: a table for a coordinate system or two axes without "
        "switches, otherwise stages",

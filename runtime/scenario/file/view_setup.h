@@ -3,9 +3,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace oncard::runtime {
+
+/// What a machine can look like.
+inline constexpr std::string_view kMachineKinds[] = {"auto",   "stages",  "xy",
+                                                     "rotary", "gripper", "conveyor"};
 
 /// A pin that the machine names, for example a lamp or a button.
 struct ViewPin {
@@ -19,8 +24,8 @@ struct ViewPin {
 
 struct ViewSetup {
   std::string title;
-  std::string title_zh;  ///< empty: `title` serves both languages
-  std::string kind = "auto";
+  std::string title_zh;       ///< empty: `title` serves both languages
+  std::string kind = "auto";  ///< of kMachineKinds
   // Axes from 1; 0: none. A kind that has one moving part looks at `x` alone.
   int x = 1;
   int y = 2;
