@@ -67,6 +67,22 @@ TEST(ScenarioView, IsWrittenAndReadBack) {
   EXPECT_EQ(FormatScenario(again.value()), text);
 }
 
+TEST(ScenarioView, LooksAtOneAxisWhereItIsNoTable) {
+  EXPECT_EQ(ParsedView("[view]\nkind = \"rotary\"\nx = 2\n").x, 2);
+}
+
+TEST(ScenarioView, NamesPinsOfTwoWordsThatHaveTheSameNumber) {
+  const char* const pins = R"([[view.pin]]
+index = 3
+name = "a"
+[[view.pin]]
+type = "gpo"
+index = 3
+name = "b"
+)";
+  EXPECT_EQ(ParsedView(pins).pins.size(), 2u);
+}
+
 TEST(ScenarioView, SaysOnceWhatIsWrong) {
   for (const char* text : {"[view]\nx = 13\n", "[view]\nx = 5\n"}) {
     const std::string error = ViewError(text);
@@ -87,6 +103,10 @@ TEST(ScenarioView, SaysWhatIsWrong) {
       {"[[view.pin]]\nname = \"a\"\n", "'index' is missing: a pin is named as in { type = "},
       {"[[view.pin]]\nindex = 1\n", "'name' is missing"},
       {"[[view.pin]]\nindex = 17\nname = \"a\"\n", "'index' must be a whole number from 1 to 16"},
+      {"[view]\nkind = \"xy\"\nx = 2\n", "different axes, not 2, 2 and 0"},
+      {"[view]\nkind = \"xy\"\nz = 1\n", "different axes, not 1, 2 and 1"},
+      {"[[view.pin]]\nindex = 3\nname = \"a\"\n[[view.pin]]\nindex = 3\nname = \"b\"\n",
+       "gpi 3 is named twice: 'a' and 'b'"},
       {"[[view.pin]]\ntype = \"gpio\"\nindex = 1\nname = \"a\"\n", "'type' must be"},
   };
   for (const auto& c : cases) EXPECT_THAT(ViewError(c.text), HasSubstr(c.error)) << c.text;

@@ -29,6 +29,22 @@ ViewPin ReadPin(const toml::table& table, TomlKeys& keys) {
   return pin;
 }
 
+/// A table moves along axes of its own.
+void CheckTable(const toml::table& table, const ViewSetup& view, TomlKeys& keys) {
+  if (view.kind != "xy") return;
+  const bool has_twice = view.x == view.y || view.x == view.z || view.y == view.z;
+  if (!has_twice) return;
+  keys.Fail(
+      table.source(),
+      MakeMessage("'x', 'y' and 'z' of a table are different axes, not {0}, {1} and {2}",
+                  "平台的“x”、“y”、“z”应为不同的轴，而不是 {0}、{1}、{2}", view.x, view.y, view.z));
+}
+
+/// A pin without a number has an error already.
+bool IsOfSamePin(const ViewPin& a, const ViewPin& b) {
+  return a.index != 0 && a.type == b.type && a.index == b.index;
+}
+
 }  // namespace
 
 ViewSetup ReadView(const toml::table& table, int axis_count, TomlKeys& keys) {
@@ -37,8 +53,16 @@ ViewSetup ReadView(const toml::table& table, int axis_count, TomlKeys& keys) {
   CheckMost(table, "x", view.x, axis_count, keys);
   CheckMost(table, "y", view.y, axis_count, keys);
   CheckMost(table, "z", view.z, axis_count, keys);
-  for (const toml::table* pin : keys.Tables(table, "view.pin")) {
-    view.pins.push_back(ReadPin(*pin, keys));
+  CheckTable(table, view, keys);
+  for (const toml::table* named : keys.Tables(table, "view.pin")) {
+    ViewPin pin = ReadPin(*named, keys);
+    for (const ViewPin& other : view.pins) {
+      if (!IsOfSamePin(pin, other)) continue;
+      keys.Fail(named->source(), MakeMessage("{0} {1} is named twice: '{2}' and '{3}'",
+                                             "{0} {1} 被命名两次：“{2}”和“{3}”", pin.type,
+                                             pin.index, other.name, pin.name));
+    }
+    view.pins.push_back(std::move(pin));
   }
   return view;
 }
