@@ -5,7 +5,7 @@ import {
   aheadOf,
   axesNamed,
   axesOf,
-  grown,
+  grownTo,
   isTable,
   isUsed,
   pin,
@@ -98,16 +98,17 @@ test.each([
 });
 
 test("a stage grows and never shrinks", () => {
-  const grownOnce = grown(undefined, 30_000, "pulse");
+  const grownOnce = grownTo(undefined, [30_000], "pulse");
   expect(grownOnce).toEqual({ least: 0, largest: 50_000 });
-  expect(grown(grownOnce, 10, "pulse")).toEqual(grownOnce);
-  expect(grown(grownOnce, -1500, "pulse")).toEqual({ least: -2000, largest: 50_000 });
+  expect(grownTo(grownOnce, [10, 400], "pulse")).toEqual(grownOnce);
+  expect(grownTo(grownOnce, [10, -1500], "pulse")).toEqual({ least: -2000, largest: 50_000 });
   expect(placeOn(grownOnce, 25_000)).toBe(0.5);
 });
 
 test("a stage of an axis that has a unit reaches as far as machines do", () => {
-  expect(grown(undefined, 12.5, "mm")).toEqual({ least: 0, largest: 100 });
-  expect(grown(undefined, 330, "mm")).toEqual({ least: 0, largest: 500 });
+  expect(grownTo(undefined, [12.5], "mm")).toEqual({ least: 0, largest: 100 });
+  expect(grownTo(undefined, [330, -40], "mm")).toEqual({ least: -50, largest: 500 });
+  expect(grownTo(undefined, [], "mm")).toEqual({ least: 0, largest: 100 });
 });
 
 test("a way goes on in the direction in which its axes travel, and turns where they turned", () => {

@@ -128,12 +128,18 @@ export function firstReach(unit: string): Reach {
   return { least: 0, largest: unit === "pulse" ? 10_000 : 100 };
 }
 
-/** The reach that also contains a position: stages grow, they never shrink. */
-export function grown(reach: Reach | undefined, position: number, unit: string): Reach {
-  const { least, largest } = reach ?? firstReach(unit);
+/** The reach that also contains some positions: stages grow, they never shrink. */
+export function grownTo(
+  reach: Reach | undefined,
+  positions: readonly number[],
+  unit: string,
+): Reach {
+  const first = reach ?? firstReach(unit);
+  const least = Math.min(...positions);
+  const largest = Math.max(...positions);
   return {
-    least: position < least ? -roundUp(-position) : least,
-    largest: position > largest ? roundUp(position) : largest,
+    least: least < first.least ? -roundUp(-least) : first.least,
+    largest: largest > first.largest ? roundUp(largest) : first.largest,
   };
 }
 

@@ -5,7 +5,7 @@ import type { MachineWords } from "../texts/machine.js";
 import { number } from "../texts/number.js";
 import {
   type AxisView,
-  grown,
+  grownTo,
   type Place,
   placeOn,
   positionText,
@@ -38,21 +38,16 @@ export interface PlotterProps {
   words: MachineWords;
 }
 
-/** A reach that also contains some positions. */
-function around(reach: Reach, positions: readonly number[], unit: string): Reach {
-  return positions.reduce<Reach>((before, position) => grown(before, position, unit), reach);
-}
-
 export function Plotter({ x, y, z, way, ahead, words, reachOf }: PlotterProps) {
   // A fast run goes further between two pictures than any of them shows.
   const places = [...way, ...ahead];
   const [reachX, reachY] = sameScale(
-    around(
+    grownTo(
       reachOf(x),
       places.map(([at]) => at),
       x.positionUnit,
     ),
-    around(
+    grownTo(
       reachOf(y),
       places.map(([, at]) => at),
       y.positionUnit,

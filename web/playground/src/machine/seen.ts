@@ -4,7 +4,7 @@
 
 import type { Card } from "@oncard/engine";
 
-import { axesOf, type AxisView, grown, isUsed, type Reach } from "./axes.js";
+import { axesOf, type AxisView, grownTo, isUsed, type Reach } from "./axes.js";
 
 export interface Seen {
   used: readonly number[];
@@ -20,7 +20,7 @@ export function seenOf(card: Card, before: Seen = nothing): Seen {
   const reaches = { ...before.reaches };
   for (const axis of axesOf(card)) {
     if (isUsed(axis)) used.add(axis.axis);
-    reaches[axis.axis] = grown(reaches[axis.axis], axis.position, axis.positionUnit);
+    reaches[axis.axis] = grownTo(reaches[axis.axis], [axis.position], axis.positionUnit);
   }
   return { used: [...used], reaches };
 }

@@ -8,7 +8,7 @@ import type { MachineWords } from "../texts/machine.js";
 import {
   aheadOf,
   type AxisView,
-  grown,
+  grownTo,
   isTable,
   mostStages,
   pin,
@@ -166,10 +166,7 @@ function gripperIsClosed(card: Card): boolean {
 function withSwitches(axis: AxisView, reach: Reach | undefined): Reach {
   const { position, actual, switches, positionUnit } = axis;
   const places = [position, actual, ...switches.map(({ place }) => place)];
-  return places.reduce<Reach>(
-    (before, place) => grown(before, place, positionUnit),
-    grown(reach, position, positionUnit),
-  );
+  return grownTo(reach, places, positionUnit);
 }
 
 type WordsProps = Pick<MachineViewProps, "card" | "words" | "onInput">;

@@ -3,7 +3,7 @@
 
 import type { Channel } from "@oncard/engine";
 
-import { type AxisView, endsOf, grown, type Reach } from "../machine/axes.js";
+import { type AxisView, endsOf, grownTo, type Reach } from "../machine/axes.js";
 import { envelope, type Setting, type Units, unitsPerDivision } from "../scope/channels.js";
 import { number } from "../texts/number.js";
 
@@ -55,11 +55,7 @@ export function shownAxis(
   trace: Channel,
 ): ShownAxis {
   const positions = endsOf(trace);
-  const reach = positions.reduce<Reach>(
-    (before, position) => grown(before, position, unit),
-    grown(undefined, 0, unit),
-  );
-  return { axis, name, unit, positions, moving, reach };
+  return { axis, name, unit, positions, moving, reach: grownTo(undefined, positions, unit) };
 }
 
 /** Whether it moves at the end of a part. */
