@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { atMaximum, expectAccessible, open, openOwn, status, write } from "./support.js";
+import { expectAccessible, open, openOwn, runToEnd, status, write } from "./support.js";
 
 /** One's own program with this view. */
 async function load(page: Page, view: string): Promise<void> {
@@ -11,12 +11,6 @@ async function load(page: Page, view: string): Promise<void> {
   await page.getByRole("button", { name: "scenario.toml" }).click();
   await write(page, `program = "program.c"\n[view]\n${view}`);
   await expect(status(page)).toHaveText("Card ready.");
-}
-
-async function run(page: Page): Promise<void> {
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
 }
 
 test("a machine that names its pins shows only these at first", async ({ page }) => {
@@ -32,7 +26,7 @@ test("a machine that names its pins shows only these at first", async ({ page })
   const door = machine.getByRole("switch", { name: "Door" });
   await expect(door).toHaveAttribute("aria-checked", "false");
   await door.click();
-  await run(page); // the level passes the card's filter
+  await runToEnd(page); // the level passes the card's filter
   await expect(door).toHaveAttribute("aria-checked", "true");
   await machine.getByText("all inputs and outputs").click();
   await expect(machine.getByRole("button", { name: "Input gpi 3" })).toHaveAttribute(
@@ -50,7 +44,7 @@ for (const [kind, turn, seen] of [
 ] as const) {
   test(`a machine of the kind ${kind}`, async ({ page }) => {
     await load(page, `kind = "${kind}"\nturn = ${turn}\n`);
-    await run(page);
+    await runToEnd(page);
     await expect(page.locator('output[data-axis="1"]')).toHaveText("50000 pulse");
     await expect(page.locator("#machine").locator(seen)).toBeVisible();
     await expect(page.getByRole("img", { name: /^XY table/ })).toHaveCount(0);
@@ -59,7 +53,7 @@ for (const [kind, turn, seen] of [
 
 test("a table has the scale of its longer axis, and Z beside it", async ({ page }) => {
   await load(page, 'kind = "xy"\nx = 1\ny = 3\nz = 4\n');
-  await run(page);
+  await runToEnd(page);
   const table = page.getByRole("img", { name: "XY table at 50000 pulse, 0 pulse, 0 pulse" });
   await expect(table).toBeVisible();
   // Both scales end at 50 000.

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 
 import { expect, test } from "@playwright/test";
 
-import { atMaximum, open, openOwn, status } from "./support.js";
+import { open, openOwn, runToEnd, status } from "./support.js";
 
 const top = fileURLToPath(new URL("../../../", import.meta.url));
 /** The `oncard` that is tested: ONCARD, or that of the last build. */
@@ -42,9 +42,7 @@ test("the first program runs in the native engine and is stepped back", async ({
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
   await open(page, address);
   await openOwn(page);
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
   await expect(page.locator('output[data-axis="1"]')).toHaveText("50000 pulse");
   await page.keyboard.press("F4");
   await expect(page.getByText(/moment 0 of/)).toBeVisible();

@@ -12,6 +12,7 @@ import {
   fromMenu,
   open,
   openOwn,
+  runToEnd,
   runUnpowered,
   status,
   write,
@@ -142,9 +143,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme });
     await open(page);
     await openOwn(page);
-    await atMaximum(page);
-    await page.getByRole("button", { name: "Run", exact: true }).click();
-    await expect(status(page)).toHaveText("Card: finished.");
+    await runToEnd(page);
     await page.getByRole("checkbox", { name: "Cursors" }).check();
     await write(page, "int main()\n{\n  x = 1\n}\n");
     await expect(page.locator(".problem")).not.toHaveCount(0);
@@ -415,9 +414,7 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   await page.getByRole("button", { name: "scenario.toml" }).click();
   const scenario = 'program = "program.c"\n[[world.axis]]\naxis = 1\nunit = "mm"\n';
   await write(page, `${scenario}pulses_per_unit = 1000\n`);
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
   // 50 000 pulses.
   await expect(page.locator('output[data-axis="1"]')).toHaveText("50 mm");
   await page.getByRole("button", { name: "Axes", exact: true }).click();

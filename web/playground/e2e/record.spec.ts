@@ -2,7 +2,15 @@
 
 import { expect, type Page, test } from "@playwright/test";
 
-import { atMaximum, expectAccessible, modulesOf, open, openOwn, status } from "./support.js";
+import {
+  atMaximum,
+  expectAccessible,
+  modulesOf,
+  open,
+  openOwn,
+  runToEnd,
+  status,
+} from "./support.js";
 
 /** The record of a host that makes these calls to a path card; no card has its state at the end. */
 function recordOf(calls: { call: string; in: number[] }[]): string {
@@ -98,7 +106,5 @@ test("what is no record is refused, and the program is there", async ({ page }) 
   await openOwn(page);
   await choose(page, "this is no record");
   await expect(status(page)).toContainText("line.calls");
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
 });

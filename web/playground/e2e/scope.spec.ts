@@ -2,14 +2,12 @@
 
 import { expect, type Locator, type Page, test } from "@playwright/test";
 
-import { atMaximum, expectAccessible, open, openOwn, status } from "./support.js";
+import { expectAccessible, open, openOwn, runToEnd } from "./support.js";
 
 async function run(page: Page): Promise<void> {
   await open(page);
   await openOwn(page);
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
 }
 
 /** Takes a handle by the pointer; what it returns moves it so many divisions up from there. */

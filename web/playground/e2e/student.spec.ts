@@ -11,6 +11,7 @@ import {
   modulesOf,
   open,
   openOwn,
+  runToEnd,
   runUnpowered,
   status,
   text,
@@ -29,9 +30,7 @@ test("a wrong program is mended, runs, is measured and stepped back", async ({ p
   await expect(problem).toContainText("No messages");
   expect(await text(page)).toBe(program);
 
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
   await expect(page.locator('output[data-axis="1"]')).toHaveText("50000 pulse");
 
   // The axis travels with 50 pulse/ms after 225 ms.
@@ -199,9 +198,7 @@ test("scale and cursor of the timeline count in the same unit, the one that was 
 }) => {
   await open(page);
   await openOwn(page);
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
   const numbers = async () => (await page.locator(".scale span").allTextContents()).map(Number);
   const now = page.locator(".now-pill");
   await expect(now).toHaveText("2500 ms");

@@ -96,6 +96,13 @@ export async function runUnpowered(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Run", exact: true }).click();
 }
 
+/** Runs what is loaded, as fast as it can, until it has finished. */
+export async function runToEnd(page: Page): Promise<void> {
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+}
+
 export async function atMaximum(page: Page): Promise<void> {
   await atSpeed(page, Infinity);
 }

@@ -4,15 +4,13 @@ import { readFile } from "node:fs/promises";
 
 import { expect, type Locator, type Page, test } from "@playwright/test";
 
-import { atMaximum, expectAccessible, open, openOwn, status } from "./support.js";
+import { expectAccessible, open, openOwn, runToEnd } from "./support.js";
 
 /** Runs two axes, one after the other, for 2.5 s; the video then takes 3.6 s. */
 async function run(page: Page): Promise<void> {
   await open(page);
   await openOwn(page);
-  await atMaximum(page);
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(status(page)).toHaveText("Card: finished.");
+  await runToEnd(page);
 }
 
 async function share(page: Page): Promise<Locator> {
