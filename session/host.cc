@@ -16,6 +16,7 @@
 #include "runtime/scenario/run/result_json.h"
 #include "session/arguments.h"
 #include "session/editor_requests.h"
+#include "session/line_writes.h"
 #include "session/project.h"
 #include "session/recorded_host.h"
 #include "session/session.h"
@@ -33,6 +34,8 @@ constexpr int kPointsMax = 100'000;
 constexpr int kSwitchesMax = 7 * 16;  // one for each input
 constexpr int64_t kTurnsMax = 100'000;
 constexpr int64_t kTurnsDefault = 1000;
+constexpr int64_t kWrittenMax = 100'000;
+constexpr int64_t kWrittenDefault = 1000;
 
 const std::vector<std::string_view> kGoals = {"step", "statement", "line",   "cycle", "time",
                                               "stop", "rest",      "change", "call",  "end"};
@@ -143,6 +146,7 @@ class SessionHost::Requests {
   Result<Json> Trace(Arguments& arguments);
   Result<Json> Turns(Arguments& arguments);
   Result<Json> Spans(Arguments& arguments);
+  Result<Json> Written(Arguments& arguments);
   Result<Json> Listing(Arguments& arguments);
   Result<Json> Record(Arguments& arguments);
 
@@ -196,6 +200,7 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"trace", "names from_ms to_ms points"}, &Requests::Trace},
       {{"turns", "from to [most]"}, &Requests::Turns},
       {{"spans", "[from] [to] [most]"}, &Requests::Spans},
+      {{"written", "[statements]"}, &Requests::Written},
       {{"listing", ""}, &Requests::Listing},
       {{"record", "[path]"}, &Requests::Record},
   };
@@ -511,6 +516,12 @@ Result<Json> SessionHost::Requests::Spans(Arguments& arguments) {
   if (auto missing = Missing(arguments)) return *std::move(missing);
   RewindableRun& run = session_->run();
   return SpansView(run.Spans(from, to, static_cast<size_t>(most)), run, language_);
+}
+
+Result<Json> SessionHost::Requests::Written(Arguments& arguments) {
+  const int64_t statements = arguments.Whole("statements", 1, kWrittenMax, kWrittenDefault);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return LineWritesView(WritesOfLines(session_->run(), statements));
 }
 
 Result<Json> SessionHost::Requests::Listing(Arguments& arguments) {

@@ -79,6 +79,8 @@ std::vector<Request> RequestsOfProtocol() {
        ListOf(The("Turn"))},
       {"spans", Object({MayHave("from", Whole(), "A moment."), MayHave("to", Whole()), most}),
        ListOf(The("ThreadSpan"))},
+      {"written", Object({MayHave("statements", Whole(), "1000 without it.")}),
+       ListOf(The("LineWrites"))},
       {"listing", none, ListOf(The("ListedFunction"))},
       {"record", Object({MayHave("path", Text(), "The file in which a client keeps one of them.")}),
        Object({Has("schedule", Text(), "The text of a schedule file."),

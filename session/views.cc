@@ -403,6 +403,23 @@ nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
   return json;
 }
 
+nlohmann::ordered_json LineWritesView(const std::vector<LineWrites>& lines) {
+  Json json = Json::array();
+  for (const LineWrites& line : lines) {
+    Json values = Json::array();
+    for (const LineWrites::Value& value : line.values) {
+      values.push_back({{"name", value.name}, {"value", Json::parse(value.text, nullptr, false)}});
+    }
+    json.push_back({{"thread", line.thread},
+                    {"file", line.file},
+                    {"line", line.line},
+                    {"moment", line.moment},
+                    {"values", std::move(values)}});
+    if (!line.result.empty()) json.back()["result"] = Json::parse(line.result, nullptr, false);
+  }
+  return json;
+}
+
 nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
                                  const RewindableRun& run) {
   Json json = Json::array();

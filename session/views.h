@@ -10,6 +10,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "session/line_writes.h"
 #include "session/session.h"
 
 namespace oncard::session {
@@ -50,6 +51,7 @@ nlohmann::ordered_json ListingView(const RewindableRun& run);
 nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channels);
 nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
                                  const RewindableRun& run, Language language);
+nlohmann::ordered_json LineWritesView(const std::vector<LineWrites>& lines);
 nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
                                  const RewindableRun& run);
 

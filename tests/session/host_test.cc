@@ -357,6 +357,12 @@ TEST_F(HostTest, ShowsValuesOverTimeAndTurns) {
   ASSERT_THAT(turns, SizeIs(6));
   EXPECT_EQ(turns[1]["thread"], 1);
   EXPECT_EQ(turns[1]["moment"], 2);
+  const Json written = Result("written");
+  ASSERT_THAT(written, SizeIs(6));
+  EXPECT_EQ(written[5]["thread"], 1);
+  EXPECT_EQ(written[5]["line"], 7);
+  EXPECT_EQ(written[5]["values"], Json::array({{{"name", "x"}, {"value", 1}}}));
+  EXPECT_THAT(Result("written", {{"statements", 1}}), SizeIs(1));
   EXPECT_THAT(ErrorOf("trace", {{"names", {"x"}}, {"from_ms", 2}, {"to_ms", 1}, {"points", 2}}),
               HasSubstr("must not be later than 'to_ms'"));
 }

@@ -172,7 +172,8 @@ TEST_F(ProtocolSchemaTest, DescribesSessionsOfTheSamples) {
     loaded += Ask("load", {{"main", path}})["ok"] ? 1 : 0;
     Ask("forward", {{"goal", "time"}, {"ms", 20}, {"budget", 5000}});
     Ask("forward", {{"goal", "stop"}, {"budget", 20'000}});
-    for (const char* look : {"variables", "card", "spans", "listing", "record"}) Ask(look);
+    for (const char* look : {"variables", "card", "spans", "written", "listing", "record"})
+      Ask(look);
     Ask("turns", {{"from", 0}, {"to", 1000}});
     Ask("trace", {{"names", {"axis1.prfPos"}}, {"from_ms", 0}, {"to_ms", 10}, {"points", 20}});
     Ask("back", {{"goal", "cycle"}});

@@ -118,6 +118,7 @@ void AddWalk(Json load, std::vector<Json>* requests) {
   add("trace", {{"names", {"axis1.prfPos"}}, {"from_ms", 0}, {"to_ms", 10}, {"points", 20}});
   add("turns", {{"from", 0}, {"to", 1000}});
   add("spans", none);
+  add("written", none);
   add("listing", none);
   add("record", none);
 }

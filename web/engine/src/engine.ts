@@ -22,6 +22,7 @@ import type {
   Language,
   ListedFunction,
   Loaded,
+  LineWrites,
   LogEvent,
   Lowered,
   OutlineEntry,
@@ -191,6 +192,10 @@ export class Engine {
   }
   spans(from?: number, to?: number, most?: number): Promise<ThreadSpan[]> {
     return this.#request("spans", { from, to, most });
+  }
+  /** What lines wrote when they were executed last, among so many statements before the present. */
+  written(statements?: number): Promise<LineWrites[]> {
+    return this.#request("written", { statements });
   }
   listing(): Promise<ListedFunction[]> {
     return this.#request("listing", {});

@@ -447,6 +447,15 @@ export interface Requests {
     };
     result: ThreadSpan[];
   };
+  written: {
+    arguments: {
+      /**
+       * 1000 without it.
+       */
+      statements?: number;
+    };
+    result: LineWrites[];
+  };
   listing: {
     arguments: {};
     result: ListedFunction[];
@@ -1018,6 +1027,29 @@ export interface ThreadSpan {
    * Why the thread has faulted.
    */
   text?: string;
+}
+/**
+ * What a thread wrote in a line when it executed the line last.
+ */
+export interface LineWrites {
+  thread: number;
+  file: string;
+  line: number;
+  /**
+   * Before the last of its statements.
+   */
+  moment: number;
+  values: {
+    /**
+     * Of a local: without its page.
+     */
+    name: string;
+    value: number;
+  }[];
+  /**
+   * Of the thread, if it has returned one here.
+   */
+  result?: number;
 }
 /**
  * The card statements of a function.
