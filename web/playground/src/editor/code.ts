@@ -26,6 +26,7 @@ import { tags } from "@lezer/highlight";
 import { breakpointGutter, breakpointLines, setBreakpoints } from "./breakpoints.js";
 import { type Complete, completions } from "./completions.js";
 import { type Describe, descriptions } from "./descriptions.js";
+import { type Beside, inlineValues, setBeside } from "./inline_values.js";
 import { motionProgram } from "./motion_program.js";
 
 /** Lines that are marked, by their class. */
@@ -163,6 +164,7 @@ export class CodeEditor {
         search({ top: true }),
         lintGutter(),
         marks,
+        inlineValues,
         descriptions(this.on.describe),
         indentUnit.of("  "),
         look,
@@ -232,6 +234,10 @@ export class CodeEditor {
 
   mark(lines: MarkedLines): void {
     this.#view.dispatch({ effects: setMarks.of(lines) });
+  }
+
+  beside(values: readonly Beside[]): void {
+    this.#view.dispatch({ effects: setBeside.of(values) });
   }
 
   breakpoints(lines: readonly number[]): void {

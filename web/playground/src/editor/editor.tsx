@@ -6,9 +6,10 @@ import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Tabs } from "../controls/tabs.js";
 import { Dialog } from "../panel/dialog.js";
 import { htmlOf } from "../lesson/markdown.js";
+import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { messages } from "../session/messages.js";
-import { complete, describe, isEdited, toggleBreakpoint } from "../session/on_card.js";
+import { complete, describe, hints, isEdited, toggleBreakpoint } from "../session/on_card.js";
 import { chooseLine, layout } from "../store/layout.js";
 import { settings } from "../store/settings.js";
 import {
@@ -22,6 +23,7 @@ import {
 } from "../store/source.js";
 import { texts } from "../texts/texts.js";
 import { CodeEditor, type MarkedLines } from "./code.js";
+import { type Beside, unitsBeside, valuesBeside } from "./inline_values.js";
 import { indexOfPlace, placeOfIndex, withFixes } from "./offsets.js";
 import { Problems } from "./problems.js";
 
@@ -194,6 +196,45 @@ async function answered<Answer extends { range: Description["range"] }>(
   };
 }
 
+const nothing: readonly Beside[] = [];
+
+/** Units of arguments; those of the text before until the engine has answered. */
+function useUnits(name: string): readonly Beside[] {
+  const isProgram = name.endsWith(".c");
+  const units = useAsked(
+    `${name} ${source.files.value[name]}`,
+    async () => (isProgram ? unitsBeside(await hints()) : nothing),
+    session.running.value,
+  );
+  return isProgram && units ? units : nothing;
+}
+
+/** What the lines have made, while the card stands still with this text on it. */
+function useValues(name: string): readonly Beside[] {
+  const { value: state } = present.state;
+  const { history, running } = session;
+  const isShown =
+    state !== undefined &&
+    !running.value &&
+    !isEdited.value &&
+    name === source.lesson.value.program;
+  const moment = isShown ? state.moment : -1;
+  const now = { history: history.value, name };
+  const asked = useAsked(
+    `${now.history} ${name} ${moment}`,
+    async () => {
+      if (moment < 0) return { ...now, values: nothing };
+      const written = await (await bench.engine()).written();
+      const lines = (source.files.peek()[name] ?? "").split("\n");
+      return { ...now, values: valuesBeside(written, { file: name, lines, moment }) };
+    },
+    running.value,
+  );
+  // Until the engine has answered, those of the moment before stay, but not those of another run.
+  const isOfNow = isShown && asked?.history === now.history && asked.name === name;
+  return isOfNow ? asked.values : nothing;
+}
+
 // Every effect is a layout effect: what the page shows around the editor is in the editor, too, before
 // the next key is pressed. A breakpoint that came later would miss an edit, and stand at another line.
 function Code() {
@@ -271,6 +312,11 @@ function Code() {
   useLayoutEffect(() => {
     editor?.mark(marked);
   }, [JSON.stringify(marked), name, number]);
+  const values = useValues(name);
+  const units = useUnits(name);
+  useLayoutEffect(() => {
+    editor?.beside([...values, ...units]);
+  }, [values, units, name, number]);
   const wish = layout.wishedLine.value;
   useLayoutEffect(() => {
     if (!wish) return;

@@ -1,6 +1,6 @@
 // What of the source is on the card, and how it gets there.
 
-import type { Completion, Description, SourcePlace } from "@oncard/engine";
+import type { Completion, Description, Hint, SourcePlace } from "@oncard/engine";
 import { computed } from "@preact/signals";
 
 import { source } from "../store/source.js";
@@ -41,6 +41,12 @@ export async function describe(line: number, column: number): Promise<Descriptio
 export async function complete(line: number, column: number): Promise<Completion> {
   const engine = await bench.engine();
   return engine.complete(placeOf(line, column));
+}
+
+/** What a reader of the open file would have to look up. */
+export async function hints(): Promise<Hint[]> {
+  const engine = await bench.engine();
+  return engine.hints({ ...source.project.peek(), file: source.file.peek() });
 }
 
 function placeOf(line: number, column: number): SourcePlace {
