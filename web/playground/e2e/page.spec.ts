@@ -433,6 +433,11 @@ test("an axis with a unit is shown in it: machine, scope, CSV and picture", asyn
   // 50 pulse/ms.
   const column = head.split(",").indexOf("axis1.prfVel [mm/s] max");
   expect(Math.max(...rows.map((row) => Number(row.split(",")[column])))).toBe(50);
+  // Each cycle of 250 us has a row.
+  const [titles = "", ...cycles] = (await saved("every cycle")).toString().trim().split("\n");
+  const at = titles.split(",").indexOf("axis1.prfVel [mm/s]");
+  expect(cycles.slice(0, 2).map((row) => row.split(",")[0])).toEqual(["0.25", "0.5"]);
+  expect(Math.max(...cycles.map((row) => Number(row.split(",")[at])))).toBe(50);
   // A line of 18 pixels for the title and each channel, and half of one; the height is at byte 20.
   const lines = 1 + (await page.locator(".channels .channel").count());
   const screen = await page.locator(".screen canvas").evaluate((canvas) => canvas.clientHeight);

@@ -28,6 +28,7 @@ function Knob(props: { label: string; children: ComponentChildren }) {
 export function Controls(props: {
   trigger: number | undefined;
   onCsv: () => void;
+  onCycles: () => void;
   onPng: () => void;
 }) {
   const { scope: t } = texts.value;
@@ -77,6 +78,9 @@ export function Controls(props: {
       <div class="row scope-files">
         <button type="button" class="quiet" aria-label={t.csvLabel} onClick={props.onCsv}>
           {t.csv}
+        </button>
+        <button type="button" class="quiet" aria-label={t.cyclesLabel} onClick={props.onCycles}>
+          {t.cycles}
         </button>
         <button type="button" class="quiet" aria-label={t.pngLabel} onClick={props.onPng}>
           {t.png}

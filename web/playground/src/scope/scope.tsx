@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { useAsked } from "../session/asked.js";
-import { present, session } from "../session/bench.js";
+import { bench, present, session } from "../session/bench.js";
 import { save } from "../share/save.js";
 import { isDark, settings } from "../store/settings.js";
 import { source } from "../store/source.js";
@@ -13,6 +13,7 @@ import { ChannelList } from "./channel_list.js";
 import { csvOf, legendOf, unitsOf } from "./channels.js";
 import { Controls } from "./controls.js";
 import { Cursors } from "./cursors.js";
+import { csvOfCycles, cyclesIn } from "./every_cycle.js";
 import { Handles } from "./handles.js";
 import { Plate } from "./plate.js";
 import { divisionsHeight, lanesOf, Plot, screenPadding } from "./plot.js";
@@ -20,6 +21,21 @@ import { drawn, putCursors, scope, type Shown, sweepKey, sweepNow } from "./sett
 import type { Sweep } from "./trigger.js";
 
 const emptySweep: Sweep = { fromMs: 0, toMs: 1000, endMs: 0, channels: [] };
+
+function saveTable(name: string, csv: string): void {
+  save(name, new Blob([csv], { type: "text/csv" }));
+}
+
+/** What the screen shows, with a row for each cycle. */
+async function saveCycles(sweep: Sweep): Promise<void> {
+  const { value: state } = present.state;
+  if (!state) return;
+  const names = sweep.channels.map(({ name }) => name);
+  const units = unitsOf(present.card.value);
+  const engine = await bench.engine();
+  const csv = await csvOfCycles(engine, names, cyclesIn(sweep, state), units);
+  saveTable("oncard-cycles.csv", csv);
+}
 
 export function ScopePanel() {
   const { scope: t } = texts.value;
@@ -74,10 +90,10 @@ export function ScopePanel() {
       <Controls
         trigger={trigger}
         onCsv={() => {
-          save(
-            "oncard.csv",
-            new Blob([csvOf(sweep, unitsOf(present.card.value))], { type: "text/csv" }),
-          );
+          saveTable("oncard.csv", csvOf(sweep, unitsOf(present.card.value)));
+        }}
+        onCycles={() => {
+          void saveCycles(sweep);
         }}
         onPng={() => {
           const { value: channels } = drawn;

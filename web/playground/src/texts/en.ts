@@ -224,6 +224,8 @@ export const en = {
     cursor: (name: string) => `Cursor ${name}`,
     csv: "CSV",
     csvLabel: "Save the values as CSV",
+    cycles: "Cycles",
+    cyclesLabel: "Save the values of every cycle",
     png: "PNG",
     pngLabel: "Save the picture as PNG",
     none: "No channel is shown. Add one.",

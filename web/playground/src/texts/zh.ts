@@ -220,6 +220,8 @@ export const zh: Texts = {
     cursor: (name) => `光标 ${name}`,
     csv: "CSV",
     csvLabel: "把数值存为 CSV",
+    cycles: "逐周期",
+    cyclesLabel: "保存每个周期的数值",
     png: "PNG",
     pngLabel: "把图像存为 PNG",
     none: "没有显示的通道，请添加。",
