@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -37,7 +36,7 @@ struct InputChoice {
   DiType type = DiType::kGpi;
   int16_t bit = -1;
 
-  auto Fields() const { return std::tie(type, bit); }
+  auto Fields(auto visit) const { return visit(type, bit); }
   bool operator==(const InputChoice&) const = default;
 };
 
@@ -50,7 +49,7 @@ struct Scale {
   double Apply(double value) const { return alpha == beta ? value : value * beta / alpha; }
   /// Whether the axis counts in the opposite direction to the profile.
   bool reverses() const { return (alpha < 0) != (beta < 0); }
-  auto Fields() const { return std::tie(alpha, beta); }
+  auto Fields(auto visit) const { return visit(alpha, beta); }
   bool operator==(const Scale&) const = default;
 };
 
@@ -75,7 +74,7 @@ struct VelocityFilter {
   /// The mean; the current velocity without a filter.
   double Mean(double velocity) const;
 
-  auto Fields() const { return std::tie(exponent, next, window); }
+  auto Fields(auto visit) const { return visit(exponent, next, window); }
 };
 
 /// Position, velocity, acceleration of an axis, from its profiles or from its encoders.
@@ -88,7 +87,7 @@ struct AxisValue {
 
   /// The velocity as commands read it.
   double FilteredVelocity() const { return filter.Mean(velocity); }
-  auto Fields() const { return std::tie(position, velocity, acceleration, offset, filter); }
+  auto Fields(auto visit) const { return visit(position, velocity, acceleration, offset, filter); }
 };
 
 struct Axis {
@@ -125,12 +124,12 @@ struct Axis {
   Micros in_band_since = 0;  ///< the tick at which that began
   bool in_position = false;
 
-  auto Fields() const {
-    return std::tie(active, alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop,
-                    profile_map, encoder_map, profile_scale, encoder_scale, alarm_on,
-                    positive_limit_on, negative_limit_on, soft_positive, soft_negative, band,
-                    band_time, band_set, profile, encoder, latched, servo_on, in_band,
-                    in_band_since, in_position);
+  auto Fields(auto visit) const {
+    return visit(active, alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop,
+                 profile_map, encoder_map, profile_scale, encoder_scale, alarm_on,
+                 positive_limit_on, negative_limit_on, soft_positive, soft_negative, band,
+                 band_time, band_set, profile, encoder, latched, servo_on, in_band, in_band_since,
+                 in_position);
   }
 };
 

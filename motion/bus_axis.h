@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/bus/bus.h"
 #include "motion/common/sizes.h"
@@ -44,9 +43,9 @@ struct BusAxis {
   /// The measured position, pulses, with fractions.
   double feedback() const { return counts / unit(); }
 
-  auto Fields() const {
-    return std::tie(slave, enable, resets_fault, homing, homing_prepared, homing_status, scale,
-                    alarm, follows, lead, raw, counts);
+  auto Fields(auto visit) const {
+    return visit(slave, enable, resets_fault, homing, homing_prepared, homing_status, scale, alarm,
+                 follows, lead, raw, counts);
   }
 };
 
@@ -55,7 +54,7 @@ struct BusPart {
   bus::Bus line;
   std::array<BusAxis, kAxisMax> axes;
 
-  auto Fields() const { return std::tie(line, axes); }
+  auto Fields(auto visit) const { return visit(line, axes); }
 };
 
 }  // namespace oncard::motion

@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -26,7 +25,7 @@ struct Backlash {
   double change = 0;      ///< pulse/ms; 0, or at least `value`: at once
   bool positive = false;  ///< the direction of motion in which it is added
 
-  auto Fields() const { return std::tie(value, change, positive); }
+  auto Fields(auto visit) const { return visit(value, change, positive); }
   bool operator==(const Backlash&) const = default;
 };
 
@@ -44,7 +43,7 @@ struct PitchTable {
   /// The correction at a planned position, pulses.
   double At(double position, bool moving_positive) const;
 
-  auto Fields() const { return std::tie(start, length, positive, negative); }
+  auto Fields(auto visit) const { return visit(start, length, positive, negative); }
 };
 using PitchTablePointer = std::shared_ptr<const PitchTable>;
 
@@ -75,9 +74,9 @@ struct Compensation {
   /// given.
   void Advance(Micros begin, Micros end, double position, double velocity);
 
-  auto Fields() const {
-    return std::tie(backlash, pitch_table, pitch_on, direction, ramp_from, ramp_to, ramp_begin,
-                    backlash_error, pitch_error, origin);
+  auto Fields(auto visit) const {
+    return visit(backlash, pitch_table, pitch_on, direction, ramp_from, ramp_to, ramp_begin,
+                 backlash_error, pitch_error, origin);
   }
 
  private:

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/card_defaults.h"
 #include "motion/common/sizes.h"
@@ -48,9 +47,9 @@ struct PidSet {
     return feed + change;
   }
 
-  auto Fields() const {
-    return std::tie(kp, ki, kd, kvff, kaff, integral_limit, derivative_limit, limit, kvff_filter,
-                    kvff_acc_max);
+  auto Fields(auto visit) const {
+    return visit(kp, ki, kd, kvff, kaff, integral_limit, derivative_limit, limit, kvff_filter,
+                 kvff_acc_max);
   }
 };
 
@@ -64,7 +63,9 @@ struct ResponseCheck {
   bool silent = false;
   Micros silent_since = 0;
 
-  auto Fields() const { return std::tie(on, threshold, min_velocity, time, silent, silent_since); }
+  auto Fields(auto visit) const {
+    return visit(on, threshold, min_velocity, time, silent, silent_since);
+  }
 };
 
 struct Control {
@@ -104,9 +105,9 @@ struct Control {
     return limited(output, set.limit);
   }
 
-  auto Fields() const {
-    return std::tie(active, axis, encoder, closed, sets, selected, error_limit, check, reference,
-                    sum, error_before, feed);
+  auto Fields(auto visit) const {
+    return visit(active, axis, encoder, closed, sets, selected, error_limit, check, reference, sum,
+                 error_before, feed);
   }
 };
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sizes.h"
 
@@ -29,9 +28,9 @@ struct Encoder {
 
   /// It has counted nothing in the last two cycles.
   bool resting() const { return velocity == 0 && acceleration == 0; }
-  auto Fields() const {
-    return std::tie(active, external, reversed, wired_reversed, position, source, velocity,
-                    acceleration);
+  auto Fields(auto visit) const {
+    return visit(active, external, reversed, wired_reversed, position, source, velocity,
+                 acceleration);
   }
 };
 
@@ -48,7 +47,7 @@ struct EncoderFault {
   /// The next error within +-noise (splitmix64: the same sequence on every machine).
   int32_t NextError();
 
-  auto Fields() const { return std::tie(held, drift, noise, slip, error, random); }
+  auto Fields(auto visit) const { return visit(held, drift, noise, slip, error, random); }
 };
 
 }  // namespace oncard::motion

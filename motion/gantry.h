@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 
 #include "motion/axis.h"
 
@@ -46,9 +45,9 @@ struct Gantry {
   /// True if the skew exceeds its limit while a drive is enabled.
   bool Exceeded(std::span<const Axis> axes) const;
 
-  auto Fields() const {
-    return std::tie(on, master, slave, master_kp, slave_kp, error_limit, skew_origin, slave_map,
-                    slave_scale);
+  auto Fields(auto visit) const {
+    return visit(on, master, slave, master_kp, slave_kp, error_limit, skew_origin, slave_map,
+                 slave_scale);
   }
 };
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/axis.h"
 #include "motion/common/sizes.h"
@@ -84,10 +83,10 @@ struct HomeParameters {
   int32_t index_distance = 0;
   int32_t escape = 0;
 
-  auto Fields() const {
-    return std::tie(mode, move_direction, index_direction, rising, trigger_index, final_fast, high,
-                    low, acc, dec, smooth_time, check_start, offset, home_distance, index_distance,
-                    escape);
+  auto Fields(auto visit) const {
+    return visit(mode, move_direction, index_direction, rising, trigger_index, final_fast, high,
+                 low, acc, dec, smooth_time, check_start, offset, home_distance, index_distance,
+                 escape);
   }
   bool operator==(const HomeParameters&) const = default;
 };
@@ -101,7 +100,7 @@ struct HomeBound {
   int32_t position = 0;
 
   bool in_use() const { return given; }
-  auto Fields() const { return std::tie(given, position); }
+  auto Fields(auto visit) const { return visit(given, position); }
 };
 
 struct Homing {
@@ -130,10 +129,10 @@ struct Homing {
   int32_t index_offset = 0;
   HomeBound bound = {};
 
-  auto Fields() const {
-    return std::tie(parameters, running, stage, error, captured, origin, target, kind, direction,
-                    turned, stopping, failing, ahead, prepared, simple_velocity, simple_acc,
-                    simple_offset, found, index_follows, index_distance, index_offset, bound);
+  auto Fields(auto visit) const {
+    return visit(parameters, running, stage, error, captured, origin, target, kind, direction,
+                 turned, stopping, failing, ahead, prepared, simple_velocity, simple_acc,
+                 simple_offset, found, index_follows, index_distance, index_offset, bound);
   }
 };
 

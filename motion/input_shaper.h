@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion {
@@ -29,7 +28,7 @@ struct CommandedMotion {
   double velocity = 0;
   double acceleration = 0;
 
-  auto Fields() const { return std::tie(position, velocity, acceleration); }
+  auto Fields(auto visit) const { return visit(position, velocity, acceleration); }
   bool operator==(const CommandedMotion&) const = default;
 };
 
@@ -56,7 +55,7 @@ struct InputShaper {
   /// The last commanded position gets another value without motion.
   void Rename(double position);
 
-  auto Fields() const { return std::tie(k, past, last, unsettled, addition); }
+  auto Fields(auto visit) const { return visit(k, past, last, unsettled, addition); }
 };
 
 }  // namespace oncard::motion

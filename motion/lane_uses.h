@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -179,8 +178,7 @@ inline constexpr bool kLaneUsesComplete = [] {
   using Uses = LaneUses<Struct>;
   using All = internal::Joined<typename Uses::Laned, typename Uses::Beside, typename Uses::Rests,
                                typename Uses::Read>;
-  return All::kDistinct && kFieldsComplete<Struct> &&
-         All::kCount == std::tuple_size_v<decltype(std::declval<const Struct&>().Fields())>;
+  return All::kDistinct && kFieldsComplete<Struct> && All::kCount == kFieldCount<Struct>;
 }();
 
 /// True if lanes may hold a newer value of the member than the state.

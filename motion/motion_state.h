@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include "motion/axis.h"
@@ -103,11 +102,11 @@ struct MotionState {
   /// so. No servo controller writes it.
   Rare<Dac> spindle;
 
-  auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
-                    compensations, compensates, encoders, encoder_faults, drives, plants, steps,
-                    controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    lasers, gantry, homing, homing_runs, reached, bus, shapers, spindle);
+  auto Fields(auto visit) const {
+    return visit(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
+                 compensations, compensates, encoders, encoder_faults, drives, plants, steps,
+                 controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
+                 lasers, gantry, homing, homing_runs, reached, bus, shapers, spindle);
   }
 };
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/ge/limits.h"
 #include "gtcalls/ge/path_state.h"
@@ -35,9 +34,9 @@ struct GeRegisters {
 
   void Update();
 
-  auto Fields() const {
-    return std::tie(position, velocity, acceleration, max_acceleration, jerk, kp, ki, kd, kvff,
-                    kaff, integral_limit, output_limit, bias, error_limit);
+  auto Fields(auto visit) const {
+    return visit(position, velocity, acceleration, max_acceleration, jerk, kp, ki, kd, kvff, kaff,
+                 integral_limit, output_limit, bias, error_limit);
   }
 };
 
@@ -49,8 +48,8 @@ struct GeAxis {
   bool stopping = false;   ///< GT_SmthStp has ended the motion in progress, or the last one
   bool refused = false;    ///< an event: a command for this axis has been refused
 
-  auto Fields() const {
-    return std::tie(registers, pulses, open_loop, auto_stop, stopping, refused);
+  auto Fields(auto visit) const {
+    return visit(registers, pulses, open_loop, auto_stop, stopping, refused);
   }
 };
 
@@ -60,7 +59,7 @@ struct GeState {
   ge::Watch watch;
   motion::Rare<ges::Path> path;  ///< SX
 
-  auto Fields() const { return std::tie(axes, command_register, watch, path); }
+  auto Fields(auto visit) const { return visit(axes, command_register, watch, path); }
 };
 
 }  // namespace oncard::gtcalls

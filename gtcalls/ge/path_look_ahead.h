@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <tuple>
 
 #include "motion/common/rare.h"
 #include "motion/paths/coordinates.h"
@@ -32,9 +31,8 @@ struct LookAhead {
   motion::Coordinates tail{};  ///< where the newest segment ends
   double handed_feed = 0;      ///< of the segment that has entered the list last
 
-  auto Fields() const {
-    return std::tuple_cat(std::tie(scale, acceleration), std::tuple(motion::PlannerInHash{window}),
-                          std::tie(tail, handed_feed));
+  auto Fields(auto visit) const {
+    return visit(scale, acceleration, motion::PlannerInHash{window}, tail, handed_feed);
   }
 };
 
@@ -45,9 +43,8 @@ struct VelocityTable {
   CornerPlanner window;
   motion::Coordinates tail{};  ///< assumption: the path begins at 0
 
-  auto Fields() const {
-    return std::tuple_cat(std::tie(acceleration, velocity),
-                          std::tuple(motion::PlannerInHash{window}), std::tie(tail));
+  auto Fields(auto visit) const {
+    return visit(acceleration, velocity, motion::PlannerInHash{window}, tail);
   }
 };
 

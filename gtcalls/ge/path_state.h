@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 
 #include "gtcalls/ge/path_look_ahead.h"
 #include "gtcalls/shared/list_words.h"
@@ -32,7 +31,7 @@ struct BetweenSegments {
   uint16_t bit_mask = 0;
   uint16_t bit_levels = 0;
 
-  auto Fields() const { return std::tie(outputs, delays, bit_mask, bit_levels); }
+  auto Fields(auto visit) const { return visit(outputs, delays, bit_mask, bit_levels); }
 };
 
 /// The list as GT_StrtList begins it.
@@ -49,9 +48,9 @@ struct List {
   BetweenSegments between;
   ListWords words;
 
-  auto Fields() const {
-    return std::tie(open, dimension, looks_ahead, feed, acceleration, end_velocity, last_number,
-                    stopped, between, words);
+  auto Fields(auto visit) const {
+    return visit(open, dimension, looks_ahead, feed, acceleration, end_velocity, last_number,
+                 stopped, between, words);
   }
 };
 
@@ -61,7 +60,7 @@ struct HandWheel {
   int64_t last_count = 0;  ///< the cycle in which the wheel has moved last, or was chosen
   double position = 0;     ///< of the wheel, then
 
-  auto Fields() const { return std::tie(axis, last_count, position); }
+  auto Fields(auto visit) const { return visit(axis, last_count, position); }
 };
 
 struct Path {
@@ -84,10 +83,10 @@ struct Path {
   motion::Rare<LookAhead> look_ahead;          ///< GT_InitLookAheadEx
   motion::Rare<VelocityTable> velocity_table;  ///< GT_InitLookAhead
 
-  auto Fields() const {
-    return std::tie(velocity, acceleration, start_velocity, max_velocity, stop_acceleration,
-                    emergency_acceleration, list, runs, commanded, held, break_point, wheel,
-                    look_ahead, velocity_table);
+  auto Fields(auto visit) const {
+    return visit(velocity, acceleration, start_velocity, max_velocity, stop_acceleration,
+                 emergency_acceleration, list, runs, commanded, held, break_point, wheel,
+                 look_ahead, velocity_table);
   }
 };
 

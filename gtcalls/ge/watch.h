@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/ge/limits.h"
 #include "motion/common/recorder.h"
@@ -54,7 +53,7 @@ struct Watch {
   /// One control cycle.
   void Advance(const CardView& card);
 
-  auto Fields() const { return std::tie(config, size, started, batches); }
+  auto Fields(auto visit) const { return visit(config, size, started, batches); }
 };
 
 }  // namespace oncard::gtcalls::ge

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/gt400/interrupt_unit.h"
 #include "gtcalls/gt400/limits.h"
@@ -34,9 +33,9 @@ struct AxisRegisters {
   int16_t bias = 0;
   uint16_t error_limit = kServoMax;  ///< pulses
 
-  auto Fields() const {
-    return std::tie(position, velocity, acceleration, max_acceleration, jerk, ratio, breakpoint, kp,
-                    ki, kd, kvff, kaff, integral_limit, output_limit, bias, error_limit);
+  auto Fields(auto visit) const {
+    return visit(position, velocity, acceleration, max_acceleration, jerk, ratio, breakpoint, kp,
+                 ki, kd, kvff, kaff, integral_limit, output_limit, bias, error_limit);
   }
 };
 
@@ -46,7 +45,7 @@ struct UpdateRequest {
   bool smooth_stop = false;     ///< GT_SmthStp
   bool synch_position = false;  ///< GT_SynchPos
 
-  auto Fields() const { return std::tie(written, smooth_stop, synch_position); }
+  auto Fields(auto visit) const { return visit(written, smooth_stop, synch_position); }
 };
 
 /// An Update that takes effect at the next tick.
@@ -54,14 +53,14 @@ struct TakenUpdate {
   AxisRegisters registers;
   UpdateRequest request;
 
-  auto Fields() const { return std::tie(registers, request); }
+  auto Fields(auto visit) const { return visit(registers, request); }
 };
 
 /// A GT_Home that begins at the next tick.
 struct TakenHoming {
   int32_t bound = 0;  ///< where the search ends
 
-  auto Fields() const { return std::tie(bound); }
+  auto Fields(auto visit) const { return visit(bound); }
 };
 
 /// What an axis waits for at a breakpoint.
@@ -91,10 +90,10 @@ struct Gt400Axis {
   Breakpoint breakpoint = Breakpoint::kNone;
   bool homes_to_index = false;  ///< GT_Index
 
-  auto Fields() const {
-    return std::tie(waiting, valid, request, taken, taken_homing, events, new_events, noticed,
-                    moved, pulses, open_loop, open_output, auto_stop, auto_update, breakpoint,
-                    homes_to_index);
+  auto Fields(auto visit) const {
+    return visit(waiting, valid, request, taken, taken_homing, events, new_events, noticed, moved,
+                 pulses, open_loop, open_output, auto_stop, auto_update, breakpoint,
+                 homes_to_index);
   }
 };
 
@@ -111,9 +110,9 @@ struct Gt400State {
   gt400::Path path;
   gt400::InterruptUnit interrupts;
 
-  auto Fields() const {
-    return std::tie(axes, current, sample_time, command_register, path_refused, adc_channels,
-                    probe_stops, path, interrupts);
+  auto Fields(auto visit) const {
+    return visit(axes, current, sample_time, command_register, path_refused, adc_channels,
+                 probe_stops, path, interrupts);
   }
 
   /// GT_Reset.

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "gtcalls/gt400/limits.h"
@@ -19,7 +18,7 @@ enum class InterruptKind : uint8_t { kNone, kEvent, kTime };
 struct BackgroundSet {
   std::vector<uint8_t> bytes;
 
-  auto Fields() const { return std::tie(bytes); }
+  auto Fields(auto visit) const { return visit(bytes); }
 };
 
 /// How the host answers interrupts. It belongs to the host: a reset of the card keeps it.
@@ -33,7 +32,7 @@ struct InterruptAnswers {
   /// True if anybody answers.
   bool any() const { return handler || by_driver(); }
 
-  auto Fields() const { return std::tie(handler, event, background); }
+  auto Fields(auto visit) const { return visit(handler, event, background); }
 };
 
 struct InterruptUnit {
@@ -46,8 +45,8 @@ struct InterruptUnit {
   uint16_t word = 0;  ///< its status word; with a driver that of the last interrupt
   InterruptAnswers answers;
 
-  auto Fields() const {
-    return std::tie(masks, timed, period, elapsed, service, axis, word, answers);
+  auto Fields(auto visit) const {
+    return visit(masks, timed, period, elapsed, service, axis, word, answers);
   }
 };
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/gt400/limits.h"
 #include "gtcalls/shared/list_words.h"
@@ -32,8 +31,8 @@ struct PathList {
   uint16_t last_number = 0;  ///< of the segment appended last
   ListWords words;
 
-  auto Fields() const {
-    return std::tie(started, open, dimension, velocity, acceleration, last_number, words);
+  auto Fields(auto visit) const {
+    return visit(started, open, dimension, velocity, acceleration, last_number, words);
   }
 };
 
@@ -55,9 +54,9 @@ struct Path {
   std::array<double, kAxisMax> velocities{};
   std::array<uint8_t, kAxisMax> limits{};  ///< the events of limits
 
-  auto Fields() const {
-    return std::tie(velocity, acceleration, list, break_point, immediate, jumped, runs, commanded,
-                    done, velocities, limits);
+  auto Fields(auto visit) const {
+    return visit(velocity, acceleration, list, break_point, immediate, jumped, runs, commanded,
+                 done, velocities, limits);
   }
 };
 

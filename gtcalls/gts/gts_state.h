@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/gts/limits.h"
 #include "gtcalls/gts/look_ahead_setup.h"
@@ -32,7 +31,7 @@ struct GtsState {
   /// GT_Reset: clears everything except the ferroelectric memory itself, whose buffer is cleared.
   void Reset();
 
-  auto Fields() const { return std::tie(mram, long_vars, double_vars, plc, look_ahead); }
+  auto Fields(auto visit) const { return visit(mram, long_vars, double_vars, plc, look_ahead); }
 };
 
 }  // namespace oncard::gtcalls

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/paths/crd.h"
 
@@ -26,7 +25,7 @@ struct FollowSettings {
   double acceleration = 0;
   double jump = 0;  ///< mm/s^2, times the time constant
 
-  auto Fields() const { return std::tie(follows, velocity, acceleration, jump); }
+  auto Fields(auto visit) const { return visit(follows, velocity, acceleration, jump); }
 };
 
 /// One buffer, while it has a planner.
@@ -39,8 +38,8 @@ struct LookAheadBuffer {
   bool numbered = false;      ///< GT_SetUserSegNumEx has been called
   int32_t number = 0;
 
-  auto Fields() const {
-    return std::tie(in_pulses, scale, awaits_start, has_start, auxiliaries, numbered, number);
+  auto Fields(auto visit) const {
+    return visit(in_pulses, scale, awaits_start, has_start, auxiliaries, numbered, number);
   }
 };
 
@@ -55,8 +54,8 @@ struct LookAheadSetup {
 
   bool five_axes() const { return mode >= MachineMode::kFiveAxes; }
   bool in_use() const { return established; }
-  auto Fields() const {
-    return std::tie(established, mode, axis_limits, length_axes, geometric, followers, buffers);
+  auto Fields(auto visit) const {
+    return visit(established, mode, axis_limits, length_axes, geometric, followers, buffers);
   }
 };
 

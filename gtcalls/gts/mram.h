@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -43,7 +42,9 @@ class Mram {
   }
   void Reset();
 
-  auto Fields() const { return std::tie(buffer_, memory_, busy_, access_, address_, count_, end_); }
+  auto Fields(auto visit) const {
+    return visit(buffer_, memory_, busy_, access_, address_, count_, end_);
+  }
 
  private:
   static int16_t At(const std::vector<int16_t>& words, int address) {

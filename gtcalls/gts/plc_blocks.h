@@ -15,7 +15,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -40,7 +39,7 @@ struct DiBlock {
   int16_t bit = 0;  ///< from 0
   bool reverse = false;
 
-  auto Fields() const { return std::tie(type, bit, reverse); }
+  auto Fields(auto visit) const { return visit(type, bit, reverse); }
 };
 
 /// TBindDo: output := variable, or its complement.
@@ -49,7 +48,7 @@ struct DoBlock {
   int16_t bit = 0;  ///< from 0
   bool reverse = false;
 
-  auto Fields() const { return std::tie(type, bit, reverse); }
+  auto Fields(auto visit) const { return visit(type, bit, reverse); }
 };
 
 /// Which change of the input a timer delays; numbered as PLC_TIMER_TT, _TF, _TTF.
@@ -64,7 +63,9 @@ struct TimerBlock {
   bool pending = false;    ///< the input differs from the output
   int64_t elapsed_us = 0;  ///< since it was first seen to differ
 
-  auto Fields() const { return std::tie(type, input, delay_us, output, pending, elapsed_us); }
+  auto Fields(auto visit) const {
+    return visit(type, input, delay_us, output, pending, elapsed_us);
+  }
 };
 
 /// Edges of a variable; numbered as PLC_COUNTER_EDGE_* and PLC_FLANK_*.
@@ -91,9 +92,9 @@ struct CounterBlock {
   uint32_t unit_count = 0;  ///< edges since the last count
   bool last_input = false;
 
-  auto Fields() const {
-    return std::tie(type, edge, init, target, begin, end, down, unit, input, reset, count,
-                    unit_count, last_input);
+  auto Fields(auto visit) const {
+    return visit(type, edge, init, target, begin, end, down, unit, input, reset, count, unit_count,
+                 last_input);
   }
 };
 
@@ -103,7 +104,7 @@ struct FlankBlock {
   uint16_t input = 0;
   bool last_input = false;
 
-  auto Fields() const { return std::tie(edge, input, last_input); }
+  auto Fields(auto visit) const { return visit(edge, input, last_input); }
 };
 
 /// TBindSrff: 1 once the set variable was not 0, 0 once the reset variable was; reset wins.
@@ -112,7 +113,7 @@ struct SrffBlock {
   uint16_t reset = 0;
   bool output = false;
 
-  auto Fields() const { return std::tie(set, reset, output); }
+  auto Fields(auto visit) const { return visit(set, reset, output); }
 };
 
 using PlcFunction = std::variant<DiBlock, DoBlock, TimerBlock, CounterBlock, FlankBlock, SrffBlock>;
@@ -124,7 +125,7 @@ struct PlcBlock {
   uint16_t variable = 0;
   PlcFunction function;
 
-  auto Fields() const { return std::tie(thread, variable, function); }
+  auto Fields(auto visit) const { return visit(thread, variable, function); }
 };
 
 /// One function received by words (GT_LoadPlc, GT_LoadPlcCommand).
@@ -133,7 +134,7 @@ struct WordFunction {
   vm::DataType return_type = vm::DataType::kInt;
   std::vector<uint16_t> words;  ///< records as in a `.bin` file
 
-  auto Fields() const { return std::tie(id, return_type, words); }
+  auto Fields(auto visit) const { return visit(id, return_type, words); }
 };
 
 /// All PLC blocks of a card. Plain data: copy it to keep it.
@@ -155,7 +156,7 @@ struct PlcBlocks {
   /// Blocks of unbound threads are not evaluated.
   void Evaluate(vm::Machine& machine, motion::MotionCore& motion);
 
-  auto Fields() const { return std::tie(blocks, functions, functions_pending); }
+  auto Fields(auto visit) const { return visit(blocks, functions, functions_pending); }
 };
 
 }  // namespace oncard::gtcalls::gts

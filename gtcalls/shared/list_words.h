@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "gtcalls/catalogue.h"
 #include "motion/paths/item_queue.h"
@@ -24,7 +23,7 @@ struct ListWords {
   void AddCommand(uint32_t words);
   void AddSegment(uint32_t words);
 
-  auto Fields() const { return std::tie(used, since_segment, segments, freed); }
+  auto Fields(auto visit) const { return visit(used, since_segment, segments, freed); }
 };
 
 /// The words that a command takes.

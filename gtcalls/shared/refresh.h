@@ -3,8 +3,6 @@
 // tests/gtcalls/ge/motion_command_test.cc.
 #pragma once
 
-#include <tuple>
-
 namespace oncard::gtcalls {
 
 template <typename T>
@@ -18,7 +16,7 @@ struct Refresh {
   /// Both steps at once.
   void Set(T value) { waiting = working = value; }
 
-  auto Fields() const { return std::tie(waiting, working); }
+  auto Fields(auto visit) const { return visit(waiting, working); }
 };
 
 }  // namespace oncard::gtcalls

@@ -13,7 +13,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,7 +39,7 @@ struct SlaveState {
   std::optional<BusDrive> drive;
   ProcessImage inputs;  ///< of I/O: what its terminals show, as in the image
 
-  auto Fields() const { return std::tie(lost, silent, drive, inputs); }
+  auto Fields(auto visit) const { return visit(lost, silent, drive, inputs); }
 };
 
 class Bus {
@@ -108,8 +107,8 @@ class Bus {
                   std::vector<uint8_t>* data) const;
   SdoAbort Download(size_t number, uint16_t index, uint8_t subindex, std::span<const uint8_t> data);
 
-  auto Fields() const {
-    return std::tie(configured_, connected_, slaves_, image_, phase_, step_at_, started_);
+  auto Fields(auto visit) const {
+    return visit(configured_, connected_, slaves_, image_, phase_, step_at_, started_);
   }
 
  private:

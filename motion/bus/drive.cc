@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "motion/common/rounding.h"
@@ -33,7 +32,7 @@ std::optional<Sensor> SensorOf(DiType type) {
 }
 
 // Another member, which cycles may change: OnlyMoves() says what makes sure that they do not.
-static_assert(std::tuple_size_v<decltype(std::declval<const BusDrive&>().Fields())> == 13);
+static_assert(kFieldCount<BusDrive> == 13);
 
 bool IsTorqueMode(DriveMode mode) {
   return mode == DriveMode::kProfileTorque || mode == DriveMode::kCyclicTorque;

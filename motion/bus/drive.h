@@ -15,7 +15,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "motion/bus/drive_states.h"
@@ -117,9 +116,9 @@ class BusDrive {
   /// The level of a probe input at power-on.
   void SetProbeLevel(size_t probe, bool level) { probes_.levels[probe] = level; }
 
-  auto Fields() const {
-    return std::tie(values_, state_, mode_, control_before_, ramp_, origin_, operated_, homing_,
-                    homing_done_, probes_, set_point_, positioning_, acknowledged_);
+  auto Fields(auto visit) const {
+    return visit(values_, state_, mode_, control_before_, ramp_, origin_, operated_, homing_,
+                 homing_done_, probes_, set_point_, positioning_, acknowledged_);
   }
 
  private:

@@ -16,7 +16,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 #include "motion/bus/ramp.h"
@@ -74,7 +73,7 @@ struct HomingRun {
            phase != HomingPhase::kFailed;
   }
 
-  auto Fields() const { return std::tie(phase, method, direction, limits, home); }
+  auto Fields(auto visit) const { return visit(phase, method, direction, limits, home); }
 
  private:
   void PassOne(const Passage& passage, const HomingMethod& row);

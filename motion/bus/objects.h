@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion::bus {
@@ -71,7 +70,7 @@ class ObjectValues {
   /// Sets what the drive itself knows; numbers outside of the type wrap.
   void Set(ObjectId id, int64_t value);
 
-  auto Fields() const { return std::tie(values_); }
+  auto Fields(auto visit) const { return visit(values_); }
 
  private:
   std::array<int64_t, kObjectCount> values_{};

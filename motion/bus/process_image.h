@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion::bus {
@@ -36,7 +35,7 @@ class ProcessImage {
   /// All bytes 0.
   void Clear();
 
-  auto Fields() const { return std::tie(bytes_, held_, any_held_); }
+  auto Fields(auto visit) const { return visit(bytes_, held_, any_held_); }
 
  private:
   std::vector<uint8_t> bytes_;

@@ -3,8 +3,6 @@
 // accelerations in counts/ms^2. Tested by tests/motion/bus/drive_test.cc.
 #pragma once
 
-#include <tuple>
-
 namespace oncard::motion::bus {
 
 struct Ramp {
@@ -18,7 +16,7 @@ struct Ramp {
   /// At rest there.
   void Rest(double at) { *this = {at, 0}; }
 
-  auto Fields() const { return std::tie(position, velocity); }
+  auto Fields(auto visit) const { return visit(position, velocity); }
 };
 
 }  // namespace oncard::motion::bus

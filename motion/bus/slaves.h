@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion::bus {
@@ -24,7 +23,7 @@ struct PdoEntry {
   uint8_t subindex = 0;
   uint8_t bits = 0;  ///< 1 to 32
 
-  auto Fields() const { return std::tie(index, subindex, bits); }
+  auto Fields(auto visit) const { return visit(index, subindex, bits); }
   bool operator==(const PdoEntry&) const = default;
 };
 
@@ -37,7 +36,7 @@ struct Slave {
   std::vector<PdoEntry> outputs;  ///< RxPdo: from the controller to the slave
   std::vector<PdoEntry> inputs;   ///< TxPdo
 
-  auto Fields() const { return std::tie(kind, axis, vendor, product, outputs, inputs); }
+  auto Fields(auto visit) const { return visit(kind, axis, vendor, product, outputs, inputs); }
   bool operator==(const Slave&) const = default;
 };
 

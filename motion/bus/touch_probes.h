@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/bus/objects.h"
 
@@ -38,7 +37,7 @@ struct TouchProbes {
   /// The input of a probe has a new level, while the drive was at `position`.
   void Edge(size_t probe, bool level, int64_t position, ObjectValues& values);
 
-  auto Fields() const { return std::tie(levels); }
+  auto Fields(auto visit) const { return visit(levels); }
 };
 
 }  // namespace oncard::motion::bus

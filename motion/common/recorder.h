@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion {
@@ -69,8 +68,8 @@ class Recorder {
     count_ -= bank_size();
   }
 
-  auto Fields() const {
-    return std::tie(width_, running_, interval_, wait_, begin_, count_, values_);
+  auto Fields(auto visit) const {
+    return visit(width_, running_, interval_, wait_, begin_, count_, values_);
   }
 
  private:

@@ -1,8 +1,6 @@
 // The output of a profile at one instant.
 #pragma once
 
-#include <tuple>
-
 namespace oncard::motion {
 
 /// Position [pulse], velocity [pulse/ms], acceleration [pulse/ms^2] of a profile at an instant.
@@ -14,7 +12,7 @@ struct Sample {
   /// moving.
   bool moving = false;
 
-  auto Fields() const { return std::tie(position, velocity, acceleration, moving); }
+  auto Fields(auto visit) const { return visit(position, velocity, acceleration, moving); }
   bool operator==(const Sample&) const = default;
 };
 

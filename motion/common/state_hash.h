@@ -3,12 +3,13 @@
 //
 // A structure joins the hash by listing its members once:
 //
-//   auto Fields() const { return std::tie(mode, position, table); }
+//   auto Fields(auto visit) const { return visit(mode, position, table); }
 //
-// Members that are not listed are not part of the hash; kFieldsComplete<T> says at compile time
-// whether an aggregate's list is as long as the aggregate. A structure with a function in_use()
-// joins the hash only while that is true: what a card does not use does not change its hash.
-// StateWords has the same values as words, for other hashes.
+// It is a template, so that only a source that needs the members compiles the list. Members that
+// are not listed are not part of the hash; kFieldsComplete<T> says at compile time whether an
+// aggregate's list is as long as the aggregate. A structure with a function in_use() joins the hash
+// only while that is true: what a card does not use does not change its hash. StateWords has the
+// same values as words, for other hashes.
 #pragma once
 
 // The state's layout, so that it can be a member.
@@ -21,14 +22,34 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "motion/common/rare.h"
 
 namespace oncard::motion {
+
+namespace internal {
+
+struct FieldCounter {
+  template <typename... T>
+  std::integral_constant<size_t, sizeof...(T)> operator()(const T&... fields) const;
+};
+
+}  // namespace internal
+
+/// A structure that lists its members.
+template <typename T>
+concept ListsFields = requires(const T& value) {
+  value.Fields(internal::FieldCounter());
+};
+
+/// How many members Fields() lists.
+template <ListsFields T>
+inline constexpr size_t kFieldCount =
+    decltype(std::declval<const T&>().Fields(internal::FieldCounter()))::value;
 
 /// What adds the values of a state as words of 64 bits, in their order, to a `Sink`, which derives
 /// from it and has AddWord(uint64_t).
@@ -90,13 +111,12 @@ class StateValues {
   }
 
   /// Adds the members that a structure lists; nothing if the structure says that it is not in use.
-  template <typename T>
-  requires requires(const T& value) { value.Fields(); }
+  template <ListsFields T>
   Sink& Add(const T& value) {
     if constexpr (requires { value.in_use(); }) {
       if (!value.in_use()) return self();
     }
-    std::apply([this](const auto&... fields) { (this->Add(fields), ...); }, value.Fields());
+    value.Fields([this](const auto&... fields) { (this->Add(fields), ...); });
     return self();
   }
 
@@ -176,7 +196,6 @@ constexpr size_t CountFields() {
 
 /// True when an aggregate's Fields() lists as many members as it has.
 template <typename T>
-inline constexpr bool kFieldsComplete =
-    std::tuple_size_v<decltype(std::declval<const T&>().Fields())> == internal::CountFields<T>();
+inline constexpr bool kFieldsComplete = kFieldCount<T> == internal::CountFields<T>();
 
 }  // namespace oncard::motion

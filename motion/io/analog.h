@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/rounding.h"
 
@@ -40,7 +39,7 @@ struct Dac {
   /// At the terminal.
   double Volts() const;
 
-  auto Fields() const { return std::tie(active, reversed, control, bias, limit, value); }
+  auto Fields(auto visit) const { return visit(active, reversed, control, bias, limit, value); }
 };
 
 struct Adc {
@@ -58,7 +57,7 @@ struct Adc {
   /// The same in volts.
   double Volts() const { return Value() * kAdcFullVolts / kAdcFull; }
 
-  auto Fields() const { return std::tie(volts, filter, filtered); }
+  auto Fields(auto visit) const { return visit(volts, filter, filtered); }
 };
 
 }  // namespace oncard::motion

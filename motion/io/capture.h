@@ -14,7 +14,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -62,9 +61,9 @@ struct Capture {
   /// Sets the sense of a source, which need not be the present one.
   void SetRising(CaptureSource of, bool edge_rises);
 
-  auto Fields() const {
-    return std::tie(source, rising, repeat, encoder, offsets, loop, offset_source, armed, captured,
-                    value, raw, positions, offsets_used, loops_done);
+  auto Fields(auto visit) const {
+    return visit(source, rising, repeat, encoder, offsets, loop, offset_source, armed, captured,
+                 value, raw, positions, offsets_used, loops_done);
   }
 
  private:
@@ -90,9 +89,9 @@ struct Trigger {
   uint32_t count = 0;
   double position = 0;
 
-  auto Fields() const {
-    return std::tie(encoder, source, input, rising, offset, loop, window_only, first, last, armed,
-                    done, count, position);
+  auto Fields(auto visit) const {
+    return visit(encoder, source, input, rising, offset, loop, window_only, first, last, armed,
+                 done, count, position);
   }
 };
 
@@ -174,7 +173,7 @@ class CaptureUnit {
     }
   }
 
-  auto Fields() const { return std::tie(captures_, triggers_, armed_); }
+  auto Fields(auto visit) const { return visit(captures_, triggers_, armed_); }
 
  private:
   void Take(size_t index, double position);

@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -40,7 +39,7 @@ struct HsioOutput {
   /// A pulse is to end, or a command's level has to be shown.
   bool changes() const { return pulse_end > 0 || level != shown; }
 
-  auto Fields() const { return std::tie(level, pulse_end, shown); }
+  auto Fields(auto visit) const { return visit(level, pulse_end, shown); }
 };
 
 /// A change of an output's level.
@@ -49,14 +48,14 @@ struct HsioEdge {
   bool level = false;  ///< from now on
   double instant = 0;  ///< us since power-on
 
-  auto Fields() const { return std::tie(channel, level, instant); }
+  auto Fields(auto visit) const { return visit(channel, level, instant); }
 };
 
 struct ComparePoint {
   int32_t x = 0;
   int32_t y = 0;
 
-  auto Fields() const { return std::tie(x, y); }
+  auto Fields(auto visit) const { return visit(x, y); }
   bool operator==(const ComparePoint&) const = default;
 };
 
@@ -67,7 +66,7 @@ struct CompareHit {
   double x = 0;        ///< whole pulses of the encoders
   double y = 0;
 
-  auto Fields() const { return std::tie(channel, instant, x, y); }
+  auto Fields(auto visit) const { return visit(channel, instant, x, y); }
 };
 
 /// T2DComparePrm, and the mode.
@@ -81,8 +80,8 @@ struct CompareParameters {
   int16_t time = 1;  ///< of a pulse, us
   int16_t max_error = 0;
 
-  auto Fields() const {
-    return std::tie(two_dimensional, x, y, source, level_output, start_level, time, max_error);
+  auto Fields(auto visit) const {
+    return visit(two_dimensional, x, y, source, level_output, start_level, time, max_error);
   }
   bool operator==(const CompareParameters&) const = default;
 };
@@ -99,8 +98,8 @@ struct CompareModule {
   int32_t hits = 0;
 
   size_t waiting() const { return points.size() - next; }
-  auto Fields() const {
-    return std::tie(parameters, points, next, repeats, interval, running, origin_x, origin_y, hits);
+  auto Fields(auto visit) const {
+    return visit(parameters, points, next, repeats, interval, running, origin_x, origin_y, hits);
   }
 };
 
@@ -153,7 +152,7 @@ class CompareUnit {
   /// Processes a tick that begins at `begin`.
   void Advance(Micros begin, Micros length, const EncoderWay& way);
 
-  auto Fields() const { return std::tie(modules_, outputs_, log_, edges_); }
+  auto Fields(auto visit) const { return visit(modules_, outputs_, log_, edges_); }
 
  private:
   void AdvanceModule(size_t channel, Micros begin, Micros length, const EncoderWay& way);

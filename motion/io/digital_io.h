@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/card_defaults.h"
 
@@ -50,8 +49,8 @@ struct DiWord {
   uint32_t held = 0;                               ///< bits whose held_ticks is not 0
   std::array<uint32_t, kIoWidthMax> edges{};       ///< changes of `levels`, modulo 2^32
 
-  auto Fields() const {
-    return std::tie(driven, pins, inverted, active, levels, filter_ticks, held_ticks, held, edges);
+  auto Fields(auto visit) const {
+    return visit(driven, pins, inverted, active, levels, filter_ticks, held_ticks, held, edges);
   }
 };
 
@@ -63,7 +62,7 @@ struct DoTiming {
   int64_t high_us = 0;     ///< length of a high phase
   int64_t low_us = 0;      ///< length of a low phase
 
-  auto Fields() const { return std::tie(flips_left, phase_us, high_us, low_us); }
+  auto Fields(auto visit) const { return visit(flips_left, phase_us, high_us, low_us); }
 };
 inline constexpr int64_t kEndlessFlips = -1;
 
@@ -76,7 +75,7 @@ struct DoWord {
   uint32_t timed = 0;  ///< bits with a running reversal or pulse train
   std::array<DoTiming, kIoWidthMax> timing{};
 
-  auto Fields() const { return std::tie(value, inverted, active, timed, timing); }
+  auto Fields(auto visit) const { return visit(value, inverted, active, timed, timing); }
 };
 
 /// All digital inputs and outputs. Plain data: copy it to keep it.
@@ -151,7 +150,7 @@ class DigitalIo {
   /// their levels, and the filters accept them at once.
   void Reset(uint16_t filter_ticks = CardDefaults{}.filter_ticks);
 
-  auto Fields() const { return std::tie(inputs_, outputs_); }
+  auto Fields(auto visit) const { return visit(inputs_, outputs_); }
 
  private:
   DiWord& At(DiType type) { return inputs_[static_cast<size_t>(type)]; }

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 namespace oncard::motion {
 
@@ -24,7 +23,9 @@ struct ExtensionModule {
   std::array<double, kModuleChannels> input_volts{};  ///< from outside the card
   std::array<double, kModuleChannels> output_volts{};
 
-  auto Fields() const { return std::tie(present, inputs, outputs, input_volts, output_volts); }
+  auto Fields(auto visit) const {
+    return visit(present, inputs, outputs, input_volts, output_volts);
+  }
 };
 
 /// The converter's value of a voltage, and the voltage of a value. Volts outside +-10 are limited.

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 namespace oncard::motion {
 
@@ -34,7 +33,7 @@ struct LaserBounds {
   double most = 0;
 
   double Within(double value) const { return std::clamp(value, least, most); }
-  auto Fields() const { return std::tie(least, most); }
+  auto Fields(auto visit) const { return visit(least, most); }
   bool operator==(const LaserBounds&) const = default;
 };
 
@@ -60,9 +59,9 @@ struct Laser {
     return bounds.Within(follows ? follow_bounds.Within(ratio * velocity) : power);
   }
 
-  auto Fields() const {
-    return std::tie(on, mode, bounds, power, pulse_frequency, pulse_width, follows, crd, source,
-                    ratio, follow_bounds);
+  auto Fields(auto visit) const {
+    return visit(on, mode, bounds, power, pulse_frequency, pulse_width, follows, crd, source, ratio,
+                 follow_bounds);
   }
   bool operator==(const Laser&) const = default;
 };
@@ -72,7 +71,7 @@ struct Lasers {
 
   /// False as long as no laser command has changed anything since GT_Reset.
   bool in_use() const { return channels != std::array<Laser, kLaserCount>{}; }
-  auto Fields() const { return std::tie(channels); }
+  auto Fields(auto visit) const { return visit(channels); }
 };
 
 }  // namespace oncard::motion

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sizes.h"
 
@@ -36,7 +35,7 @@ struct Drive {
     return speed < -friction ? speed + friction : 0;
   }
 
-  auto Fields() const { return std::tie(kind, gain, tau, friction, unit, decay, lag); }
+  auto Fields(auto visit) const { return visit(kind, gain, tau, friction, unit, decay, lag); }
 };
 
 /// A velocity drive with its coefficients, for servo sub-steps of this length.
@@ -69,7 +68,9 @@ struct Plant {
     velocity = commanded + difference * drive.decay;
   }
 
-  auto Fields() const { return std::tie(position, velocity, axis, control, lead, stalled, hand); }
+  auto Fields(auto visit) const {
+    return visit(position, velocity, axis, control, lead, stalled, hand);
+  }
 };
 
 /// Step::mode.
@@ -86,7 +87,9 @@ struct Step {
   double position = 0;    ///< pulses output
   double lead = 0;        ///< distance to the planned axis position
 
-  auto Fields() const { return std::tie(active, axis, mode, parameter, reversed, position, lead); }
+  auto Fields(auto visit) const {
+    return visit(active, axis, mode, parameter, reversed, position, lead);
+  }
 };
 
 }  // namespace oncard::motion

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/io/digital_io.h"
 
@@ -25,7 +24,9 @@ struct PositionSwitch {
   /// The pin's level with the motor at `position`.
   bool Level(double position) const { return (connected && Inside(position)) != active_low; }
 
-  auto Fields() const { return std::tie(axis, type, bit, first, last, active_low, connected); }
+  auto Fields(auto visit) const {
+    return visit(axis, type, bit, first, last, active_low, connected);
+  }
   bool operator==(const PositionSwitch&) const = default;
 };
 
@@ -35,7 +36,7 @@ struct IndexMarks {
   double offset = 0;
   double period = 10000;  ///< > 0; 0: the encoder has no index
 
-  auto Fields() const { return std::tie(offset, period); }
+  auto Fields(auto visit) const { return visit(offset, period); }
   bool operator==(const IndexMarks&) const = default;
 };
 

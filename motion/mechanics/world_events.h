@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sizes.h"
@@ -40,7 +39,7 @@ struct WorldEvent {
   uint16_t index = 0;
   double value = 0;
 
-  auto Fields() const { return std::tie(at, kind, item, index, value); }
+  auto Fields(auto visit) const { return visit(at, kind, item, index, value); }
   bool operator==(const WorldEvent&) const = default;
 };
 
@@ -52,7 +51,7 @@ struct WorldProgress {
   std::shared_ptr<const WorldEvents> events;
   uint64_t next = 0;
 
-  auto Fields() const { return std::tie(events, next); }
+  auto Fields(auto visit) const { return visit(events, next); }
 };
 
 }  // namespace oncard::motion

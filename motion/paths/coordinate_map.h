@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
 
 #include "motion/paths/coordinates.h"
 #include "motion/paths/path_limits.h"
@@ -31,7 +30,7 @@ struct MapRow {
   Coordinates coefficients{};
   double offset = 0;
 
-  auto Fields() const { return std::tie(coefficients, offset); }
+  auto Fields(auto visit) const { return visit(coefficients, offset); }
 };
 
 struct CoordinateMap {
@@ -55,7 +54,7 @@ struct CoordinateMap {
   /// `present`, which is the result if it puts all of them where they are.
   Coordinates PointOf(const MappedPositions& axes, const Coordinates& present) const;
 
-  auto Fields() const { return std::tie(rows, jumps, stops_together, held); }
+  auto Fields(auto visit) const { return visit(rows, jumps, stops_together, held); }
 };
 
 }  // namespace oncard::motion

@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 #include "motion/common/card_defaults.h"
 #include "motion/common/rare.h"
@@ -54,9 +53,9 @@ struct CrdParameters {
     return static_cast<size_t>(coordinates[profile] - 1);
   }
 
-  auto Fields() const {
-    return std::tie(dimension, coordinates, velocity_max, acceleration_max, even_time, sets_origin,
-                    origin);
+  auto Fields(auto visit) const {
+    return visit(dimension, coordinates, velocity_max, acceleration_max, even_time, sets_origin,
+                 origin);
   }
 };
 
@@ -70,7 +69,7 @@ struct SegmentList {
   bool in_use() const { return plans_joints() || open; }
   /// True if a joint depends on all that follows in the buffer.
   bool plans_joints() const { return joints != JointRule::kGiven; }
-  auto Fields() const { return std::tie(joints, open); }
+  auto Fields(auto visit) const { return visit(joints, open); }
 };
 
 /// Where a path goes on when the line back to it has been run (Crd::Resume).
@@ -79,7 +78,7 @@ struct Interruption {
   PathSlot slot;
   double path = 0;  ///< reached in it
 
-  auto Fields() const { return std::tie(executing, slot, path); }
+  auto Fields(auto visit) const { return visit(executing, slot, path); }
 };
 
 struct CrdFifo {
@@ -138,10 +137,9 @@ struct CrdFifo {
   /// Moves the content of the look-ahead ring to the FIFO; false if it did not fit.
   bool Flush();
 
-  auto Fields() const {
-    return std::tuple_cat(std::tie(slots, list), std::make_tuple(PlannerInHash{planner}),
-                          std::tie(tail, executing, current, path, interruption, awaits_move, move,
-                                   done, user_number));
+  auto Fields(auto visit) const {
+    return visit(slots, list, PlannerInHash{planner}, tail, executing, current, path, interruption,
+                 awaits_move, move, done, user_number);
   }
 
   // Parts of the functions above.
@@ -164,8 +162,8 @@ struct GearShare {
   double PositionAt(double part) const;
   double SlopeAt(double part) const;
 
-  auto Fields() const {
-    return std::tie(profile, begin, displacement, ramp_up, ramp_down, finished);
+  auto Fields(auto visit) const {
+    return visit(profile, begin, displacement, ramp_up, ramp_down, finished);
   }
 };
 
@@ -197,9 +195,9 @@ struct CrdRun {
   /// True if time alone does not end the wait.
   bool WaitsForOthers() const { return wait != CrdWait::kNone && wait != CrdWait::kDelay; }
 
-  auto Fields() const {
-    return std::tie(running, fifo, begin, at, plan, curve, velocity, acceleration, stopping,
-                    stop_deceleration, single_step, wait, wait_until, command);
+  auto Fields(auto visit) const {
+    return visit(running, fifo, begin, at, plan, curve, velocity, acceleration, stopping,
+                 stop_deceleration, single_step, wait, wait_until, command);
   }
 };
 
@@ -208,7 +206,7 @@ struct LimitStop {
   bool smooth = false;  ///< with the deceleration of a smooth stop, not of an abrupt one
 
   bool in_use() const { return smooth; }
-  auto Fields() const { return std::tie(smooth); }
+  auto Fields(auto visit) const { return visit(smooth); }
 };
 
 /// How a path begins and ends (GT_SetStrtVel of GE).
@@ -218,7 +216,7 @@ struct PathStart {
   double velocity = 0;
 
   bool in_use() const { return velocity != 0; }
-  auto Fields() const { return std::tie(velocity); }
+  auto Fields(auto visit) const { return visit(velocity); }
 };
 
 struct Crd {
@@ -303,10 +301,10 @@ struct Crd {
   /// Limits the joints of all FIFOs anew after a change of the map.
   void LimitJoints(Micros now);
 
-  auto Fields() const {
-    return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
-                    start, override_ratio, second_override, step_mode, axis_velocity_max, fifos,
-                    run, gears, gear_count, map);
+  auto Fields(auto visit) const {
+    return visit(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop, start,
+                 override_ratio, second_override, step_mode, axis_velocity_max, fifos, run, gears,
+                 gear_count, map);
   }
 
   // Parts of the functions above.

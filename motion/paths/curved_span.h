@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/paths/segment.h"
@@ -63,7 +62,7 @@ struct CurveRun {
 
   bool in_use() const { return !squares.empty(); }
   bool AtLast() const { return cell + size_t{2} >= squares.size(); }
-  auto Fields() const { return std::tie(begin, step, cell, squares); }
+  auto Fields(auto visit) const { return visit(begin, step, cell, squares); }
 };
 
 }  // namespace oncard::motion

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion {
@@ -40,7 +39,7 @@ struct ItemQueue {
   }
 
   /// Removed elements are not part of the value.
-  auto Fields() const { return std::tuple(std::span(slots).subspan(head)); }
+  auto Fields(auto visit) const { return visit(std::span(slots).subspan(head)); }
 };
 
 }  // namespace oncard::motion

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 
 #include "motion/paths/segment.h"
 
@@ -29,7 +28,7 @@ struct AxisLimits {
   double acceleration = kUnlimited;
   double jump = kUnlimited;  ///< change of the velocity at once
 
-  auto Fields() const { return std::tie(velocity, acceleration, jump); }
+  auto Fields(auto visit) const { return visit(velocity, acceleration, jump); }
 };
 
 /// What decides how fast a path passes from a segment to the next one.
@@ -57,7 +56,7 @@ struct WindowRule {
   double acceleration = 0;  ///< at corners and on curves, if kCorners
 
   bool in_use() const { return joints != JointRule::kAxes; }
-  auto Fields() const { return std::tie(joints, acceleration); }
+  auto Fields(auto visit) const { return visit(joints, acceleration); }
 };
 
 struct PathLimits {
@@ -73,8 +72,8 @@ struct PathLimits {
   std::array<AxisLimits, kFollowerMax> followers;  ///< of profiles that follow segments
   WindowRule rule{};
 
-  auto Fields() const {
-    return std::tie(corner_time, radius_ratio, geometric, length_axes, axes, followers, rule);
+  auto Fields(auto visit) const {
+    return visit(corner_time, radius_ratio, geometric, length_axes, axes, followers, rule);
   }
 };
 

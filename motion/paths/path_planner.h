@@ -27,7 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/rare.h"
 #include "motion/paths/curved_span.h"
@@ -49,7 +48,9 @@ struct WindowSpan {
   uint64_t slot = 0;    ///< number of its slot, counted from the first that was pushed
   bool curved = false;  ///< as in PlannedMotion
 
-  auto Fields() const { return std::tie(length, acceleration, top, junction, reach, slot, curved); }
+  auto Fields(auto visit) const {
+    return visit(length, acceleration, top, junction, reach, slot, curved);
+  }
 };
 
 /// How the profiles that follow a segment move: change of position per length of path.
@@ -62,7 +63,7 @@ struct FollowRamps {
   std::array<double, kFollowerMax> down{};
 
   bool in_use() const { return any; }
-  auto Fields() const { return std::tie(any, up, down); }
+  auto Fields(auto visit) const { return visit(any, up, down); }
 };
 
 /// What the next segment must know of the newest one.
@@ -75,7 +76,9 @@ struct NewestSegment {
   double commanded = 0;   ///< acceleration
   FollowSlopes follow{};  ///< at its end
 
-  auto Fields() const { return std::tie(exists, rests, line, start, tangent, commanded, follow); }
+  auto Fields(auto visit) const {
+    return visit(exists, rests, line, start, tangent, commanded, follow);
+  }
 };
 
 /// The time that a path would take (GT_InitLookAheadEx, motionMode 1).
@@ -89,7 +92,7 @@ struct VirtualRun {
   CurveRun curve;
 
   bool in_use() const { return on; }
-  auto Fields() const { return std::tie(cycle, time, velocity, end, moved, curve); }
+  auto Fields(auto visit) const { return visit(cycle, time, velocity, end, moved, curve); }
 };
 
 /// What JointRule::kCorners keeps beside the slots of the window.
@@ -99,7 +102,7 @@ struct CornerWindow {
   double velocity = 0;  ///< the largest along the newest one
 
   bool in_use() const { return !chain.empty(); }
-  auto Fields() const { return std::tie(chain, speed, velocity); }
+  auto Fields(auto visit) const { return visit(chain, speed, velocity); }
 };
 
 /// A corner before a segment: the velocity that it allows, and that both segments allow.
@@ -144,9 +147,9 @@ struct PathPlanner {
   void Pass(const PathSlot& slot);
   void Clear();
 
-  auto Fields() const {
-    return std::tie(limits, capacity, ring, spans, taken, settled, speed, newest, following, ramps,
-                    virtual_run, corners);
+  auto Fields(auto visit) const {
+    return visit(limits, capacity, ring, spans, taken, settled, speed, newest, following, ramps,
+                 virtual_run, corners);
   }
 
   // Parts of the functions above.
@@ -178,11 +181,11 @@ struct PathPlanner {
 struct PlannerInHash {
   const Rare<PathPlanner>& planner;
 
-  auto Fields() const {
+  auto Fields(auto visit) const {
     const PathPlanner& window = planner && !planner->in_use() ? *planner : kNoWindow;
-    return std::tie(window.limits.corner_time, window.limits.rule.acceleration, window.capacity,
-                    window.ring, window.corners.chain, window.corners.speed, window.newest.exists,
-                    window.newest.rests, window.corners.velocity, window.newest.tangent, planner);
+    return visit(window.limits.corner_time, window.limits.rule.acceleration, window.capacity,
+                 window.ring, window.corners.chain, window.corners.speed, window.newest.exists,
+                 window.newest.rests, window.corners.velocity, window.newest.tangent, planner);
   }
 
   static const PathPlanner kNoWindow;

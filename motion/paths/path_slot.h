@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 
 #include "motion/paths/item_queue.h"
 #include "motion/paths/segment.h"
@@ -47,7 +46,7 @@ struct BufferedCommand {
            (kind == BufferedKind::kMove && detail == 1);
   }
 
-  auto Fields() const { return std::tie(kind, item, detail, values); }
+  auto Fields(auto visit) const { return visit(kind, item, detail, values); }
 };
 
 /// What the path planner has decided about a segment (path_planner.h), besides its velocities.
@@ -60,7 +59,7 @@ struct PlannedMotion {
   Coordinates axis_acceleration{};
 
   bool in_use() const { return planned; }
-  auto Fields() const { return std::tie(curved, axis_velocity, axis_acceleration); }
+  auto Fields(auto visit) const { return visit(curved, axis_velocity, axis_acceleration); }
 };
 
 /// A segment that begins wherever the path is when it is reached.
@@ -70,7 +69,7 @@ struct PathApproach {
   uint8_t axes = 0;
 
   bool in_use() const { return axes != 0; }
-  auto Fields() const { return std::tie(axes); }
+  auto Fields(auto visit) const { return visit(axes); }
 };
 
 /// One element of a buffer.
@@ -100,10 +99,9 @@ struct PathSlot {
     return end;
   }
 
-  auto Fields() const {
-    return std::tie(is_segment, command, segment, velocity, acceleration, end_velocity,
-                    velocity_limit, ends_at_rest, second_override, user_number, given_number,
-                    planned, approach);
+  auto Fields(auto visit) const {
+    return visit(is_segment, command, segment, velocity, acceleration, end_velocity, velocity_limit,
+                 ends_at_rest, second_override, user_number, given_number, planned, approach);
   }
 };
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 
 #include "motion/paths/coordinates.h"
 
@@ -54,9 +53,9 @@ struct Segment {
   /// The change of the tangent per pulse of path.
   Coordinates CurvatureAt(double path) const;
 
-  auto Fields() const {
-    return std::tie(shape, start, end, length, travel, centre, toward_start, sideways, radius,
-                    radius_change, sweep);
+  auto Fields(auto visit) const {
+    return visit(shape, start, end, length, travel, centre, toward_start, sideways, radius,
+                 radius_change, sweep);
   }
 };
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace oncard::motion {
@@ -22,7 +21,7 @@ struct SpeedLink {
   /// The composition: this function after `inner`.
   SpeedLink After(const SpeedLink& inner) const { return {At(inner.bound), gain + inner.gain}; }
 
-  auto Fields() const { return std::tie(bound, gain); }
+  auto Fields(auto visit) const { return visit(bound, gain); }
 };
 
 /// The links of the segments in a queue, oldest first.
@@ -38,7 +37,7 @@ struct SpeedChain {
   /// The square of the velocity at the start of the oldest segment if the newest ends at rest.
   double SpeedSquare() const;
 
-  auto Fields() const { return std::tie(front, back, back_total); }
+  auto Fields(auto visit) const { return visit(front, back, back_total); }
 };
 
 }  // namespace oncard::motion

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sample.h"
@@ -31,7 +30,7 @@ struct FollowSegment {
   double slave = 0;    ///< the same of the slave
   FollowSegmentType type = FollowSegmentType::kNormal;
 
-  auto Fields() const { return std::tie(master, slave, type); }
+  auto Fields(auto visit) const { return visit(master, slave, type); }
 };
 
 /// Segments of a FIFO with GT_SetFollowMemory 0 and 1.
@@ -83,10 +82,10 @@ struct FollowMode {
   /// Ends the run because something else controls the profile; data and registers are kept.
   void Halt() { running = false; }
 
-  auto Fields() const {
-    return std::tie(direction, master, loop, event, event_direction, event_position, large_memory,
-                    fifos, running, waiting, fifo, switching, passes, segment, slave_base,
-                    pass_ratio, first_ratio, last_ratio, travel);
+  auto Fields(auto visit) const {
+    return visit(direction, master, loop, event, event_direction, event_position, large_memory,
+                 fifos, running, waiting, fifo, switching, passes, segment, slave_base, pass_ratio,
+                 first_ratio, last_ratio, travel);
   }
 
  private:

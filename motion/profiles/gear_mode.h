@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sample.h"
 #include "motion/profiles/master.h"
@@ -34,7 +33,7 @@ struct DirectRatio {
   bool held = false;   ///< the slave rests at a limit, towards which its master leads
 
   bool in_use() const { return given; }
-  auto Fields() const { return std::tie(given, value, held); }
+  auto Fields(auto visit) const { return visit(given, value, held); }
 };
 
 struct GearMode {
@@ -73,10 +72,9 @@ struct GearMode {
   /// Something else has taken over; the registers stay.
   void Halt() { running = direct.held = false; }
 
-  auto Fields() const {
-    return std::tie(direction, master, ratio_set, master_even, slave_even, slope, event,
-                    event_first, event_last, running, waiting, base, from_ratio, to_ratio, clutch,
-                    travel, direct);
+  auto Fields(auto visit) const {
+    return visit(direction, master, ratio_set, master_even, slave_even, slope, event, event_first,
+                 event_last, running, waiting, base, from_ratio, to_ratio, clutch, travel, direct);
   }
 
  private:

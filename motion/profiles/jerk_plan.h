@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sample.h"
 
@@ -31,7 +30,7 @@ struct JerkPiece {
   double VelocityAt(double t) const { return velocity + t * (acceleration + t * (jerk / 2)); }
   double AccelerationAt(double t) const { return acceleration + t * jerk; }
 
-  auto Fields() const { return std::tie(duration, position, velocity, acceleration, jerk); }
+  auto Fields(auto visit) const { return visit(duration, position, velocity, acceleration, jerk); }
   bool operator==(const JerkPiece&) const = default;
 };
 
@@ -54,7 +53,9 @@ struct JerkPlan {
   /// the last piece is over, or for ever when end_velocity is not 0.
   Sample At(double t) const;
 
-  auto Fields() const { return std::tie(pieces, count, duration, end_position, end_velocity); }
+  auto Fields(auto visit) const {
+    return visit(pieces, count, duration, end_position, end_velocity);
+  }
   bool operator==(const JerkPlan&) const = default;
 };
 
@@ -65,7 +66,7 @@ struct JerkLimits {
   double acceleration = 0;
   double jerk = 0;
 
-  auto Fields() const { return std::tie(velocity, acceleration, jerk); }
+  auto Fields(auto visit) const { return visit(velocity, acceleration, jerk); }
   bool operator==(const JerkLimits&) const = default;
 };
 

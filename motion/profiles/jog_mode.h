@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sample.h"
 #include "motion/common/sizes.h"
@@ -23,7 +22,7 @@ struct JogParameters {
   double dec = 0;     ///< pulse/ms^2, > 0, or 0: not set, as acc
   double smooth = 0;  ///< in [0, 1)
 
-  auto Fields() const { return std::tie(acc, dec, smooth); }
+  auto Fields(auto visit) const { return visit(acc, dec, smooth); }
   bool operator==(const JogParameters&) const = default;
 };
 
@@ -54,9 +53,9 @@ struct JogMode {
   /// The plan that the output follows; nullptr while it is filtered.
   const Plan* FollowedPlan() const { return running && !filtered ? &plan : nullptr; }
 
-  auto Fields() const {
-    return std::tie(parameters, velocity, running, plan, begin, smooth, filtered, step, step_at,
-                    next_velocity);
+  auto Fields(auto visit) const {
+    return visit(parameters, velocity, running, plan, begin, smooth, filtered, step, step_at,
+                 next_velocity);
   }
 
  private:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 namespace oncard::motion {
 
@@ -14,7 +13,7 @@ struct Master {
   uint8_t index = 0;          ///< from 0
   bool encoder_side = false;  ///< of an axis: its encoder position instead of its planned position
 
-  auto Fields() const { return std::tie(chosen, type, index, encoder_side); }
+  auto Fields(auto visit) const { return visit(chosen, type, index, encoder_side); }
   bool operator==(const Master&) const = default;
 };
 
@@ -45,7 +44,7 @@ struct MasterTravel {
   /// True when motion at this velocity is counted.
   bool Counts(double velocity) const { return velocity * direction >= 0; }
 
-  auto Fields() const { return std::tie(direction, last, travel); }
+  auto Fields(auto visit) const { return visit(direction, last, travel); }
 };
 
 }  // namespace oncard::motion

@@ -18,6 +18,7 @@
 
 #include "motion/common/sample.h"
 #include "motion/common/sizes.h"
+#include "motion/common/state_hash.h"
 #include "motion/profiles/follow_mode.h"
 #include "motion/profiles/gear_mode.h"
 #include "motion/profiles/jog_mode.h"
@@ -51,10 +52,9 @@ constexpr std::string_view NameOf(ProfileMode mode) {
 }
 
 template <typename Mode>
-concept HasRun = requires(Mode mode) {
+concept HasRun = ListsFields<Mode> && requires(Mode mode) {
   { mode.running } -> std::same_as<bool&>;
   mode.Halt();
-  mode.Fields();
 };
 
 /// A mode whose output is a function of time.

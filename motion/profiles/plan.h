@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sample.h"
 
@@ -26,7 +25,7 @@ struct Piece {
   double PositionAt(double t) const { return position + t * (velocity + t * (acceleration / 2)); }
   double VelocityAt(double t) const { return velocity + t * acceleration; }
 
-  auto Fields() const { return std::tie(duration, position, velocity, acceleration); }
+  auto Fields(auto visit) const { return visit(duration, position, velocity, acceleration); }
   bool operator==(const Piece&) const = default;
 };
 
@@ -49,7 +48,9 @@ struct Plan {
   /// last piece is over, or for ever when end_velocity is not 0.
   Sample At(double t) const;
 
-  auto Fields() const { return std::tie(pieces, count, duration, end_position, end_velocity); }
+  auto Fields(auto visit) const {
+    return visit(pieces, count, duration, end_position, end_velocity);
+  }
   bool operator==(const Plan&) const = default;
 };
 
@@ -65,7 +66,9 @@ struct MoveLimits {
   /// `velocity`.
   double start_velocity = 0;
 
-  auto Fields() const { return std::tie(velocity, acceleration, deceleration, start_velocity); }
+  auto Fields(auto visit) const {
+    return visit(velocity, acceleration, deceleration, start_velocity);
+  }
 };
 
 /// The fastest motion from (position, velocity) to rest at `target`. If it moves away from the

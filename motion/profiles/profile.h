@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 #include "motion/common/card_defaults.h"
@@ -69,11 +68,11 @@ struct Profile {
   /// Sets the position of a profile at rest.
   void SetPosition(double position) { now = AtRest(position); }
 
-  auto Fields() const {
-    return std::tie(active, mode, now, driven, smooth_stop, abrupt_stop,
+  auto Fields(auto visit) const {
+    return visit(active, mode, now, driven, smooth_stop, abrupt_stop,
 #define PROFILE_MODE(enumerator, number, name, member, Class) member,
 #include "motion/profiles/modes.def"
-                    stopping, stop_deceleration, stop_begin, stop_plan);
+                 stopping, stop_deceleration, stop_begin, stop_plan);
   }
 };
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sample.h"
@@ -38,8 +37,8 @@ struct PtSegment {
   int32_t end_time = 0;     ///< ms
   int32_t number = 0;       ///< the user's (GT_PtDataWN)
 
-  auto Fields() const {
-    return std::tie(begin, end, velocity, end_velocity, begin_time, end_time, number);
+  auto Fields(auto visit) const {
+    return visit(begin, end, velocity, end_velocity, begin_time, end_time, number);
   }
 };
 
@@ -89,9 +88,9 @@ struct PtMode {
   /// Something else has taken over; dynamic data is dropped (assumption).
   void Halt();
 
-  auto Fields() const {
-    return std::tie(dynamic, large_memory, loop_target, buffers, write_buffer, last, running,
-                    run_buffer, index, begin, origin, loop_count, number);
+  auto Fields(auto visit) const {
+    return visit(dynamic, large_memory, loop_target, buffers, write_buffer, last, running,
+                 run_buffer, index, begin, origin, loop_count, number);
   }
 
  private:

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/sample.h"
 #include "motion/common/sizes.h"
@@ -40,9 +39,9 @@ struct PvtMode {
   /// Something else has taken over; the registers stay.
   void Halt();
 
-  auto Fields() const {
-    return std::tie(loop_target, selected, running, table, next, current, begin, pass_begin, origin,
-                    loop_count, time);
+  auto Fields(auto visit) const {
+    return visit(loop_target, selected, running, table, next, current, begin, pass_begin, origin,
+                 loop_count, time);
   }
 
  private:

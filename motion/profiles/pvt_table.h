@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sample.h"
@@ -27,7 +26,7 @@ struct PvtPiece {
   double acceleration = 0;
   double jerk = 0;
 
-  auto Fields() const { return std::tie(begin, position, velocity, acceleration, jerk); }
+  auto Fields(auto visit) const { return visit(begin, position, velocity, acceleration, jerk); }
 };
 
 struct PvtTable {
@@ -44,7 +43,7 @@ struct PvtTable {
   /// The motion at a time in [0, end], positions counting from the first point.
   Sample At(double t) const;
 
-  auto Fields() const { return std::tie(begin, end, travel, pieces); }
+  auto Fields(auto visit) const { return visit(begin, end, travel, pieces); }
 };
 
 /// A shared table in profiles and snapshots; nullptr for a table that is not filled.

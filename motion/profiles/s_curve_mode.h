@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 
 #include "motion/common/rare.h"
 #include "motion/common/sample.h"
@@ -23,7 +22,7 @@ struct SCurveRun {
   Micros begin = 0;   ///< of the plan
   JerkLimits limits;  ///< of this run
 
-  auto Fields() const { return std::tie(plan, begin, limits); }
+  auto Fields(auto visit) const { return visit(plan, begin, limits); }
 };
 
 struct SCurveMode {
@@ -48,7 +47,7 @@ struct SCurveMode {
 
   /// False on a card on which nothing of the mode has ever been set.
   bool in_use() const { return run || target != 0 || limits != JerkLimits{}; }
-  auto Fields() const { return std::tie(limits, target, running, run); }
+  auto Fields(auto visit) const { return visit(limits, target, running, run); }
 };
 
 }  // namespace oncard::motion

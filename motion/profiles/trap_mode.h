@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include "motion/common/sample.h"
@@ -24,7 +23,7 @@ struct TrapParameters {
   double vel_start = 0;  ///< pulse/ms, >= 0
   int16_t smooth_time = 0;
 
-  auto Fields() const { return std::tie(acc, dec, vel_start, smooth_time); }
+  auto Fields(auto visit) const { return visit(acc, dec, vel_start, smooth_time); }
   bool operator==(const TrapParameters&) const = default;
 };
 
@@ -56,8 +55,8 @@ struct TrapMode {
   /// The plan that the output follows; nullptr if it is smoothed.
   const Plan* FollowedPlan() const { return running && smooth == 0 ? &plan : nullptr; }
 
-  auto Fields() const {
-    return std::tie(parameters, target, velocity, running, plan, unplanned, begin, smooth, past);
+  auto Fields(auto visit) const {
+    return visit(parameters, target, velocity, running, plan, unplanned, begin, smooth, past);
   }
 };
 

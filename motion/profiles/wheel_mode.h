@@ -7,8 +7,6 @@
 // manual 10.3; GTS cards do not have the mode. Tested by tests/motion/wheel_mode_test.cc.
 #pragma once
 
-#include <tuple>
-
 #include "motion/common/sample.h"
 #include "motion/profiles/master.h"
 #include "motion/profiles/plan.h"
@@ -37,7 +35,9 @@ struct WheelMode {
 
   /// False on a card without a hand wheel.
   bool in_use() const { return master.chosen || running; }
-  auto Fields() const { return std::tie(master, ratio, limits, cycle, running, base, travel); }
+  auto Fields(auto visit) const {
+    return visit(master, ratio, limits, cycle, running, base, travel);
+  }
 };
 
 }  // namespace oncard::motion

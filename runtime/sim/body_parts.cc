@@ -42,7 +42,7 @@ static_assert(kSize<decltype(AxisArrays(std::declval<const MotionState&>()))> +
                       kSize<decltype(ClockFields(std::declval<const MotionState&>()))> +
                       kSize<decltype(RestFields(std::declval<const MotionState&>()))> +
                       std::size_t{1} ==  // MotionState::world
-                  kSize<decltype(std::declval<const MotionState&>().Fields())>,
+                  motion::kFieldCount<MotionState>,
               "every member of the state of motion belongs to one part");
 
 /// Calls `visit` with the element of each array and the same member of the part.

@@ -26,7 +26,7 @@ class CardClock {
     int64_t before_ns = 0;  ///< the old length
     int64_t cycle_ns = 0;   ///< that of the cycles after it
 
-    auto Fields() const { return std::tie(cycle, end_ns, before_ns, cycle_ns); }
+    auto Fields(auto visit) const { return visit(cycle, end_ns, before_ns, cycle_ns); }
     bool operator==(const Change&) const = default;
   };
 

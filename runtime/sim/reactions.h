@@ -48,14 +48,14 @@ class Reactions {
     int64_t at_ns = 0;  ///< since power-on, outside of the card
     uint32_t reaction = 0;
 
-    auto Fields() const { return std::tie(at_ns, reaction); }
+    auto Fields(auto visit) const { return visit(at_ns, reaction); }
     bool operator==(const Pending&) const = default;
   };
   struct State {
     uint64_t held = 0;             ///< the conditions that held at the last boundary
     std::vector<Pending> pending;  ///< in the order in which they happen
 
-    auto Fields() const { return std::tie(held, pending); }
+    auto Fields(auto visit) const { return visit(held, pending); }
     bool operator==(const State&) const = default;
   };
 

@@ -68,6 +68,13 @@ uint64_t HashOf(const Values&... values) {
   return hash.value();
 }
 
+/// Of a word of inputs (0) or outputs (1).
+template <size_t kKind>
+uint64_t HashOfWord(const motion::DigitalIo& io, size_t word) {
+  return io.Fields(
+      [word](const auto&... words) { return HashOf(std::get<kKind>(std::tie(words...))[word]); });
+}
+
 std::vector<Part> PartsOfCard() {
   std::vector<Part> parts;
   for (uint32_t i = 0; i < motion::kAxisMax; ++i) {
@@ -115,14 +122,12 @@ std::vector<Part> PartsOfCard() {
                      }});
   }
   for (uint32_t i = 0; i < motion::kDiTypeCount; ++i) {
-    parts.push_back({"inputs", Resource::kDigitalInput, i, [i](const CardState& s) {
-                       return HashOf(std::get<0>(s.motion.io.Fields())[i]);
-                     }});
+    parts.push_back({"inputs", Resource::kDigitalInput, i,
+                     [i](const CardState& s) { return HashOfWord<0>(s.motion.io, i); }});
   }
   for (uint32_t i = 0; i < motion::kDoTypeCount; ++i) {
-    parts.push_back(
-        {"outputs", Resource::kDigitalOutput, gtcalls::gts::kOutputWordFirst + i,
-         [i](const CardState& s) { return HashOf(std::get<1>(s.motion.io.Fields())[i]); }});
+    parts.push_back({"outputs", Resource::kDigitalOutput, gtcalls::gts::kOutputWordFirst + i,
+                     [i](const CardState& s) { return HashOfWord<1>(s.motion.io, i); }});
   }
   parts.push_back({"analogue", Resource::kAnalog, Touched::kAll,
                    [](const CardState& s) { return HashOf(s.motion.dacs, s.motion.adcs); },

@@ -15,7 +15,7 @@ struct TwoMembers {
   int first = 0;
   double second = 0;
 
-  auto Fields() const { return std::tie(first, second); }
+  auto Fields(auto visit) const { return visit(first, second); }
 };
 using BothListed = TwoMembers<0>;
 using OneForgotten = TwoMembers<1>;
