@@ -7,8 +7,8 @@ import { editor, expectAccessible, open, openOwn, runToEnd, write } from "./supp
 const program = `int x;
 int main()
 {
-  x = 6;
-  x = x * 7;
+  x = 7 * 1;
+  x = x * 6;
   GT_SetVel(1, 20);
   return x;
 }
@@ -30,16 +30,16 @@ test("values stand behind the lines that made them, at the present moment", asyn
   await openProgram(page);
   await expect(page.locator(".cm-made")).toHaveCount(0);
   await runToEnd(page);
-  await expect.poll(() => behind(page, ".cm-made")).toEqual(["x = 6", "x = 42", "→ 42"]);
+  await expect.poll(() => behind(page, ".cm-made")).toEqual(["x = 7", "x = 42", "→ 42"]);
   await expect(page.locator(".cm-made.t0")).toHaveCount(3);
   await expectAccessible(page);
   const back = page.getByRole("button", { name: "Step back" });
   await back.click();
-  await expect.poll(() => behind(page, ".cm-made")).toEqual(["x = 6", "x = 42"]);
+  await expect.poll(() => behind(page, ".cm-made")).toEqual(["x = 7", "x = 42"]);
   await back.click();
   await expect.poll(() => behind(page, ".cm-made-now")).toEqual(["x = 42"]);
   await back.click();
-  await expect.poll(() => behind(page, ".cm-made-now")).toEqual(["x = 6"]);
+  await expect.poll(() => behind(page, ".cm-made-now")).toEqual(["x = 7"]);
 });
 
 test("values go with an edit: they are of another text", async ({ page }) => {

@@ -20,17 +20,25 @@ test("a line has what it made", () => {
     line({ values: [{ name: "x", value: 1.5 }], moment: 8 }),
   ];
   expect(valuesBeside(written, shown)).toEqual([
-    { line: 1, text: "x = 1.5", kind: "made", thread: 0, isNew: true },
-    { line: 2, text: "a[2] = 4", kind: "made", thread: 0, isNew: false },
+    { line: 1, text: "x = 1.5", kind: "made", thread: 0, isNumbered: false, isNew: true },
+    { line: 2, text: "a[2] = 4", kind: "made", thread: 0, isNumbered: false, isNew: false },
   ]);
 });
 
-test("what two threads made stands in their order", () => {
+test("what two threads made stands in their order, with their numbers", () => {
   const values = [{ name: "x", value: 1 }];
   const written = [line({ thread: 3, values }), line({ thread: 1, values })];
-  expect(valuesBeside(written, shown).map((each) => each.kind === "made" && each.thread)).toEqual([
-    1, 3,
+  expect(valuesBeside(written, shown)).toMatchObject([
+    { thread: 1, isNumbered: true },
+    { thread: 3, isNumbered: true },
   ]);
+});
+
+test("what stands in the line is not said again", () => {
+  const lines = ["x = 4;", "x=4 ;y = x;", "x = 40;"];
+  const values = [{ name: "x", value: 4 }];
+  const written = [1, 2, 3].map((at) => line({ line: at, values }));
+  expect(valuesBeside(written, { ...shown, lines }).map((each) => each.line)).toEqual([3]);
 });
 
 test("variables that do not stand in the line are not shown, nor lines of other files", () => {
@@ -68,7 +76,6 @@ test("the engine says it of a program", async () => {
   const lines = program.split("\n");
   const written = await engine.written();
   expect(valuesBeside(written, { file, lines, moment: state.moment })).toMatchObject([
-    { line: 4, text: "x = 6" },
     { line: 5, text: "x = 42" },
     { line: 6, text: "→ 42", isNew: true },
   ]);

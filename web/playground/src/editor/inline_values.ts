@@ -12,6 +12,8 @@ export type Beside = { line: number; text: string } & (
   | {
       kind: "made";
       thread: number;
+      /** Of several threads each has its number. */
+      isNumbered: boolean;
       /** By the statement before the present moment. */
       isNew: boolean;
     }
@@ -27,12 +29,12 @@ interface Shown {
 
 /** In the order of the lines, and in a line of the threads. */
 export function valuesBeside(written: readonly LineWrites[], shown: Shown): Beside[] {
+  const isNumbered = new Set(written.map(({ thread }) => thread)).size > 1;
   const made = written.flatMap((each): Beside[] => {
     const { thread, line, moment } = each;
     const text = each.file === shown.file ? textOf(each, shown.lines[line - 1] ?? "") : "";
-    return text === ""
-      ? []
-      : [{ line, text, kind: "made", thread, isNew: moment === shown.moment - 1 }];
+    const isNew = moment === shown.moment - 1;
+    return text === "" ? [] : [{ line, text, kind: "made", thread, isNumbered, isNew }];
   });
   return made.sort((a, b) => a.line - b.line || threadOf(a) - threadOf(b));
 }
@@ -41,11 +43,14 @@ function threadOf(beside: Beside): number {
   return beside.kind === "made" ? beside.thread : -1;
 }
 
-/** What the translation of structured C needs for itself does not stand in the line. */
+/** Without what stands in the line already, and what the translation of structured C needs for itself. */
 function textOf({ values, result }: LineWrites, line: string): string {
   const names = new Set(line.match(/[A-Za-z_]\w*/g));
   const its = values.filter(({ name }) => names.has(/^\w+/.exec(name)?.[0] ?? ""));
-  const texts = its.map(({ name, value }) => `${name} = ${value}`);
+  const said = line.replace(/\s+/g, "").split(";");
+  const texts = its
+    .filter(({ name, value }) => !said.includes(`${name}=${value}`))
+    .map(({ name, value }) => `${name} = ${value}`);
   if (result !== undefined) texts.push(`→ ${result}`);
   return texts.join(", ");
 }
@@ -73,7 +78,9 @@ class BesideWidget extends WidgetType {
     const element = document.createElement("span");
     element.className = this.#classes().join(" ");
     // Drawn by the style: it is no part of the text that is read, searched and copied.
-    element.dataset["text"] = this.beside.text;
+    const { beside } = this;
+    element.dataset["text"] = beside.text;
+    if (beside.kind === "made" && beside.isNumbered) element.dataset["thread"] = `${beside.thread}`;
     // The values panel has the variables, and the words at a name its units.
     element.setAttribute("aria-hidden", "true");
     return element;
@@ -123,6 +130,15 @@ export const inlineValues: Extension = [
       lineHeight: "17px",
     },
     ".cm-made::after, .cm-unit::after": { content: "attr(data-text)" },
+    ".cm-made[data-thread]::before": {
+      content: "attr(data-thread)",
+      marginRight: "4px",
+      padding: "0 4px",
+      borderRadius: "4px",
+      color: "var(--surface)",
+      backgroundColor: "var(--thread)",
+      fontWeight: "700",
+    },
     ".cm-made": { color: "var(--thread)", backgroundColor: "var(--wash)" },
     ".cm-unit": { color: "var(--muted)" },
     "@keyframes cm-made-now": { from: { backgroundColor: "var(--now-wash)" } },
