@@ -3,6 +3,7 @@
 // functions use its content.
 #pragma once
 
+#include <cstdint>
 #include <variant>
 
 #include "gtcalls/ge/ge_state.h"
@@ -13,5 +14,8 @@ namespace oncard::gtcalls {
 
 /// One alternative for each kind of state; hashes contain its number.
 using FamilyState = std::variant<GtsState, GeState, Gt400State>;
+
+/// Of everything that the family lists.
+uint64_t HashOf(const FamilyState& state);
 
 }  // namespace oncard::gtcalls

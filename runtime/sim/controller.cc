@@ -37,10 +37,6 @@ constexpr int64_t kStatementParts = 1000;
 /// The threads get at most this many cycles before motion gets them, too.
 constexpr int64_t kMotionLateMax = 1024;
 
-uint64_t HashOf(const gtcalls::FamilyState& state) {
-  return motion::StateHash().Add(state).value();
-}
-
 }  // namespace
 
 Controller::Controller(const ControllerOptions& options)
@@ -362,14 +358,15 @@ uint64_t Controller::WithRareParts(uint64_t hash) const {
 }
 
 uint64_t Controller::BodyHash() const {
-  const std::array<uint64_t, 4> parts = {motion_.Hash(), HashOf(family_state_),
+  const std::array<uint64_t, 4> parts = {motion_.Hash(), gtcalls::HashOf(family_state_),
                                          static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
   return WithRareParts(XXH64(parts.data(), sizeof parts, 0));
 }
 
 uint64_t Controller::Hash() const {
-  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), HashOf(family_state_),
+  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(),
+                                         gtcalls::HashOf(family_state_),
                                          static_cast<uint64_t>(pending_ns_ / CardClock::kNsPerUs),
                                          static_cast<uint64_t>(pending_statements_)};
   return WithRareParts(XXH64(parts.data(), sizeof parts, 0));

@@ -100,8 +100,7 @@ class CommandTestCard {
 
   /// The hash of everything that a refused command must not change.
   uint64_t Hash() const {
-    return machine.Hash() ^ (motion.Hash() * 3) ^
-           (motion::StateHash().Add(family_state).value() * 5);
+    return machine.Hash() ^ (motion.Hash() * 3) ^ (HashOf(family_state) * 5);
   }
   GtsState& state() const { return card.state<GtsState>(); }
 

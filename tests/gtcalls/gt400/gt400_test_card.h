@@ -83,9 +83,7 @@ class Gt400TestCard : public FamilyTestCard {
   }
 
   Gt400State& state() const { return card.state<Gt400State>(); }
-  uint64_t Hash() const {
-    return motion::StateHash().Add(motion.state()).Add(card.state<Gt400State>()).value();
-  }
+  uint64_t Hash() const { return motion.Hash() ^ (HashOf(family_state) * 3); }
 };
 
 }  // namespace oncard::gtcalls::gt400
