@@ -1,4 +1,5 @@
-// What an editor that draws the machine asks beyond the protocol; docs/debugger.md describes it.
+// What an editor asks beyond the protocol: the machine, and what stands behind the lines of a program.
+// docs/debugger.md describes it.
 // Tested by test/machine.test.ts.
 
 import { InvalidatedEvent } from "@vscode/debugadapter";
@@ -39,9 +40,16 @@ const setInput: Answer<SetInputArguments> = async (launched, { type, index, leve
   return {};
 };
 
+/** The lines with the paths of their files. */
+const written: Answer<unknown> = async ({ engine, code, state }) => ({
+  lines: (await engine.written()).map((line) => ({ ...line, path: code.source(line.file)?.path })),
+  moment: state.moment,
+});
+
 /** By the names of the requests. */
 export const machineRequests: ReadonlyMap<string, Answer<never>> = new Map<string, Answer<never>>([
   ["oncard.card", card],
   ["oncard.trace", trace],
   ["oncard.setInput", setInput],
+  ["oncard.written", written],
 ]);

@@ -1,7 +1,12 @@
-import type { Card, Channel, State } from "@oncard/engine";
+import type { Card, Channel, LineWrites, State } from "@oncard/engine";
 import { expect, test } from "vitest";
 
 import { type Editor, openEditor, sample } from "./support.js";
+
+interface Written {
+  lines: (LineWrites & { path?: string })[];
+  moment: number;
+}
 
 /** Stands at the end of a move of axis 1 by 50 000 pulses. */
 async function afterMove(client: Record<string, unknown> = {}): Promise<Editor> {
@@ -56,6 +61,18 @@ test("an input is switched, and the variables of the editor are told", async () 
     await editor.stopped();
   }
   expect(await inputs(editor)).toBe(0b100);
+});
+
+test("what lines have written, with the paths of their files", async () => {
+  const editor = await openEditor();
+  const program = sample("01_sum/sum.c");
+  await editor.launch(sample("01_sum/one_thread.toml"));
+  await editor.run();
+  const { lines, moment } = await editor.request<Written>("oncard.written");
+  const added = lines.find(({ values }) => values.some(({ name }) => name === "sum"));
+  // GTS manual, example 10-1: 1 + 2 + ... + 100.
+  expect(added).toMatchObject({ path: program, values: [{ name: "sum", value: 5050 }] });
+  expect(moment).toBeGreaterThan(added?.moment ?? Infinity);
 });
 
 test("the engine says what is wrong", async () => {

@@ -76,6 +76,8 @@ test("a program is mended, run, and debugged forward and back", async ({ page })
     await expectStop(page, "i = begin;");
     await page.getByRole("button", { name: /^Continue/ }).click();
     await expectStop(page, "sum = sum + i;");
+    // Behind the line stands what it has made.
+    await expect(page.locator(".view-line", { hasText: "i = begin;" })).toContainText("i = 1");
     await page.getByRole("button", { name: /^Step Back/ }).click();
     await expectStop(page, "if (cc) goto lbl_end;");
     await page.getByRole("button", { name: /^Stop/ }).click();

@@ -7,6 +7,7 @@ import { registerCommands } from "./commands";
 import { registerDebug } from "./debug";
 import type { Engines } from "./engines";
 import { FailingRunPanel } from "./failing_run";
+import { registerInlineValues } from "./inline_values";
 import { registerLenses } from "./lenses";
 import { registerListing } from "./listing";
 import { MachinePanel } from "./machine";
@@ -31,5 +32,6 @@ export function registerFeatures(engines: Engines): Disposable[] {
     ...registerTests(engines),
     registerTasks(engines),
     ...registerLenses(engines),
+    registerInlineValues(),
   ];
 }

@@ -17,7 +17,7 @@ import {
 import { oneAtATime } from "./asking";
 import type { Engines } from "./engines";
 import type { FromView, MachineNow, ToView } from "./machine_messages";
-import type { Follower } from "./sessions";
+import { type Follower, request } from "./sessions";
 import { language, say } from "./texts";
 import { openView } from "./views";
 
@@ -135,12 +135,4 @@ async function wayIn(
   const names = [table.x, table.y].map(({ axis }) => `axis${axis}.prfPos`);
   const args = { names, from_ms: 0, to_ms: time, points: wayPoints };
   return wayOf((await request<{ channels: Channel[] }>(session, "oncard.trace", args)).channels);
-}
-
-async function request<Answer>(
-  session: DebugSession,
-  command: string,
-  args?: object,
-): Promise<Answer> {
-  return (await session.customRequest(command, args)) as Answer;
 }

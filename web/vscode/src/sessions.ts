@@ -1,4 +1,4 @@
-// The sessions of this debugger, for panels that follow them.
+// The sessions of this debugger: for panels that follow them, and what is asked of them.
 
 import { debug, type DebugSession, type Disposable } from "vscode";
 
@@ -36,4 +36,13 @@ function isMove({ type, event = "", command = "" }: Message): boolean {
   return type === "event"
     ? ["stopped", "invalidated"].includes(event)
     : ["setVariable", "setExpression"].includes(command);
+}
+
+/** A request that docs/debugger.md describes. */
+export async function request<Answer>(
+  session: DebugSession,
+  command: string,
+  args?: object,
+): Promise<Answer> {
+  return (await session.customRequest(command, args)) as Answer;
 }

@@ -22,7 +22,7 @@ test("what is contributed is registered, and nothing else", () => {
   const contributed = contributes.commands.map(({ command }) => command);
   expect([...editor.commands.keys()].sort()).toEqual(contributed.sort());
   expect([...editor.providers.keys()].sort()).toEqual(
-    ["adapter", "launch", "lenses", "oncard-listing", "tasks", "tracker"].sort(),
+    ["adapter", "inline values", "launch", "lenses", "oncard-listing", "tasks", "tracker"].sort(),
   );
   expect(editor.controllers).toHaveLength(1);
 });

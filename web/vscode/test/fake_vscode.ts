@@ -84,6 +84,8 @@ export const commands = {
 
 export const languages = {
   registerCodeLensProvider: (_: unknown, provider: unknown) => provide("lenses", provider),
+  registerInlineValuesProvider: (_: unknown, provider: unknown) =>
+    provide("inline values", provider),
 };
 
 export const workspace = {
@@ -180,6 +182,13 @@ export const window = {
   withProgress: (_: unknown, work: Handler) =>
     work({}, { isCancellationRequested: false, onCancellationRequested: () => nothing }),
 };
+
+export class InlineValueText {
+  constructor(
+    readonly range: unknown,
+    readonly text: string,
+  ) {}
+}
 
 export class DebugAdapterExecutable {
   constructor(

@@ -293,6 +293,40 @@ describe("lenses", () => {
   });
 });
 
+describe("inline values", () => {
+  const valuesIn = (document: unknown) =>
+    provider<{ provideInlineValues(document: unknown): Promise<unknown[]> }>(
+      "inline values",
+    ).provideInlineValues(document);
+  const path = sample("01_sum/sum.c");
+  const line = { thread: 0, file: "sum.c", path, line: 17, moment: 4 };
+  const values = [{ name: "sum", value: 3 }];
+
+  test("say what the lines of the document have made, and of several threads which one", async () => {
+    activate();
+    debug.activeDebugSession = session;
+    const other = { ...line, values, path: sample("02_loops/other.c") };
+    editor.debugAnswers["oncard.written"] = { lines: [{ ...line, values }, other], moment: 5 };
+    const [value, ...more] = await valuesIn(documentAt(path));
+    expect(value).toMatchObject({ text: "sum = 3", range: { start: { line: 16, character: 0 } } });
+    expect(more).toEqual([]);
+    const two = [0, 1].map((thread) => ({ ...line, thread, values }));
+    editor.debugAnswers["oncard.written"] = { lines: two, moment: 5 };
+    expect(await valuesIn(documentAt(path))).toMatchObject([
+      { text: "0: sum = 3" },
+      { text: "1: sum = 3" },
+    ]);
+  });
+
+  test("are not there without this debugger", async () => {
+    activate();
+    expect(await valuesIn(documentAt(path))).toEqual([]);
+    debug.activeDebugSession = { ...session, type: "cppdbg" };
+    expect(await valuesIn(documentAt(path))).toEqual([]);
+    expect(editor.requests).toEqual([]);
+  });
+});
+
 describe("the test explorer", () => {
   async function run(...paths: string[]): Promise<FakeController["results"]> {
     activate();

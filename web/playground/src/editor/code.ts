@@ -23,10 +23,11 @@ import {
 } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 
+import type { Beside } from "./beside.js";
 import { breakpointGutter, breakpointLines, setBreakpoints } from "./breakpoints.js";
 import { type Complete, completions } from "./completions.js";
 import { type Describe, descriptions } from "./descriptions.js";
-import { type Beside, inlineValues, setBeside } from "./inline_values.js";
+import { inlineValues, setBeside } from "./inline_values.js";
 import { motionProgram } from "./motion_program.js";
 
 /** Lines that are marked, by their class. */

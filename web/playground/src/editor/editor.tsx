@@ -22,8 +22,8 @@ import {
   source,
 } from "../store/source.js";
 import { texts } from "../texts/texts.js";
+import { type Beside, unitsBeside, valuesBeside } from "./beside.js";
 import { CodeEditor, type MarkedLines } from "./code.js";
-import { type Beside, unitsBeside, valuesBeside } from "./inline_values.js";
 import { indexOfPlace, placeOfIndex, withFixes } from "./offsets.js";
 import { Problems } from "./problems.js";
 

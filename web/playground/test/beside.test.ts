@@ -2,7 +2,7 @@ import type { Hint, LineWrites } from "@oncard/engine";
 import { expect, test } from "vitest";
 
 import { engineOf } from "../../engine/test/support.js";
-import { unitsBeside, valuesBeside } from "../src/editor/inline_values.js";
+import { unitsBeside, valuesBeside } from "../src/editor/beside.js";
 
 const line = (members: Partial<LineWrites>): LineWrites => ({
   thread: 0,
