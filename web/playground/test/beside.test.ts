@@ -39,6 +39,9 @@ test("what stands in the line is not said again", () => {
   const values = [{ name: "x", value: 4 }];
   const written = [1, 2, 3].map((at) => line({ line: at, values }));
   expect(valuesBeside(written, { ...shown, lines }).map((each) => each.line)).toEqual([3]);
+  const returned = [line({ line: 1, result: 0 }), line({ line: 2, result: 0 })];
+  const returns = { ...shown, lines: ["return 0;", "return x;"] };
+  expect(valuesBeside(returned, returns).map((each) => each.line)).toEqual([2]);
 });
 
 test("variables that do not stand in the line are not shown, nor lines of other files", () => {

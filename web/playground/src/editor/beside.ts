@@ -50,7 +50,7 @@ function textOf({ values, result }: LineWrites, line: string): string {
   const texts = its
     .filter(({ name, value }) => !said.includes(`${name}=${value}`))
     .map(({ name, value }) => `${name} = ${value}`);
-  if (result !== undefined) texts.push(`→ ${result}`);
+  if (result !== undefined && !said.includes(`return${result}`)) texts.push(`→ ${result}`);
   return texts.join(", ");
 }
 
