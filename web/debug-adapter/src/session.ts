@@ -11,12 +11,12 @@ import { Breakpoints } from "./breakpoints.js";
 import { capabilities } from "./capabilities.js";
 import { complete } from "./completions.js";
 import { type Command, commandHelp, movementOf, readCommand } from "./console.js";
+import { customRequests } from "./custom_requests.js";
 import { Editor } from "./editor.js";
 import { evaluate, setExpression, setVariable } from "./evaluation.js";
 import { readConfig } from "./launch.js";
 import { hostThread, toLastCall, toNextCall } from "./host.js";
 import { launch, type Launched, notLaunched, threadOf } from "./launched.js";
-import { machineRequests } from "./machine.js";
 import { readMemory } from "./memory.js";
 import { Mover } from "./mover.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
@@ -475,7 +475,7 @@ export class OncardSession extends DebugSession {
     response: DebugProtocol.Response,
     args: unknown,
   ): void {
-    const request = machineRequests.get(command);
+    const request = customRequests.get(command);
     if (!request) {
       super.customRequest(command, response, args);
       return;

@@ -1,6 +1,6 @@
 // What an editor asks beyond the protocol: the machine, and what stands behind the lines of a program.
 // docs/debugger.md describes it.
-// Tested by test/machine.test.ts.
+// Tested by test/custom_requests.test.ts.
 
 import { InvalidatedEvent } from "@vscode/debugadapter";
 
@@ -47,7 +47,7 @@ const written: Answer<unknown> = async ({ engine, code, state }) => ({
 });
 
 /** By the names of the requests. */
-export const machineRequests: ReadonlyMap<string, Answer<never>> = new Map<string, Answer<never>>([
+export const customRequests: ReadonlyMap<string, Answer<never>> = new Map<string, Answer<never>>([
   ["oncard.card", card],
   ["oncard.trace", trace],
   ["oncard.setInput", setInput],
