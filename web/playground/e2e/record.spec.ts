@@ -57,6 +57,8 @@ test("a record of a GE card moves its axes, and the program comes back", async (
   await expect(page.getByText("0 of 6 calls made")).toBeVisible();
   expect(modules).toEqual(["oncard.wasm", "oncard-full.wasm"]);
   await expect(page.getByRole("button", { name: "Explore" })).toBeDisabled();
+  await expect(page.getByRole("button", { name: "CSV" })).toHaveCount(1);
+  await expect(page.getByRole("button", { name: "every cycle" })).toHaveCount(0);
   await expectAccessible(page);
   await page.keyboard.press("F8");
   await expect(page.getByText("GT_AxisOn(1) = 0")).toBeVisible();

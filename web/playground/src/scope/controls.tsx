@@ -2,6 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 
+import { record } from "../session/record.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 import {
@@ -79,9 +80,12 @@ export function Controls(props: {
         <button type="button" class="quiet" aria-label={t.csvLabel} onClick={props.onCsv}>
           {t.csv}
         </button>
-        <button type="button" class="quiet" aria-label={t.cyclesLabel} onClick={props.onCycles}>
-          {t.cycles}
-        </button>
+        {/* The host of a GT400 card changes how long its cycles are. */}
+        {!record.value && (
+          <button type="button" class="quiet" aria-label={t.cyclesLabel} onClick={props.onCycles}>
+            {t.cycles}
+          </button>
+        )}
         <button type="button" class="quiet" aria-label={t.pngLabel} onClick={props.onPng}>
           {t.png}
         </button>

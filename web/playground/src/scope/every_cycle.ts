@@ -16,7 +16,7 @@ interface Cycles {
   ms: number;
 }
 
-/** The cycles that end in a part of the run, up to a present that is the end of a cycle. */
+/** The cycles that end in a part of the run. All are equally long, as on cards with motion programs. */
 export function cyclesIn(
   window: { fromMs: number; endMs: number },
   present: { cycle: number; time_ms: number },

@@ -32,9 +32,13 @@ async function saveCycles(sweep: Sweep): Promise<void> {
   if (!state) return;
   const names = sweep.channels.map(({ name }) => name);
   const units = unitsOf(present.card.value);
-  const engine = await bench.engine();
-  const csv = await csvOfCycles(engine, names, cyclesIn(sweep, state), units);
-  saveTable("oncard-cycles.csv", csv);
+  try {
+    const engine = await bench.engine();
+    const csv = await csvOfCycles(engine, names, cyclesIn(sweep, state), units);
+    saveTable("oncard-cycles.csv", csv);
+  } catch {
+    // The session was replaced or has ended; the status line says so.
+  }
 }
 
 export function ScopePanel() {
