@@ -18,6 +18,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <tuple>
 
 #include "base/random.h"
 #include "gtcalls/card.h"

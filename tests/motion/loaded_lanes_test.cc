@@ -9,7 +9,9 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "motion/common/state_hash.h"
 #include "motion/cycle_block.h"
 #include "motion/motion_core.h"
 #include "tests/base/random_cases.h"

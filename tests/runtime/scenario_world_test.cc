@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "motion/common/state_hash.h"
 #include "runtime/scenario/run/scenario_card.h"
 #include "tests/motion/change_state.h"
 
