@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/wide_product.h"
-
 namespace oncard::vm {
 
 /// Width of the integer part; the numbers are stored in snapshots and compared.
@@ -37,26 +35,14 @@ constexpr int64_t SubtractFixed(int64_t a, int64_t b, int wrap_shift) {
                    wrap_shift);
 }
 
-/// MultiplyFixed() where the compiler has no type of 128 bits: the product of the magnitudes.
-constexpr int64_t MultiplyFixedByHalves(int64_t a, int64_t b, int wrap_shift) {
-  const uint64_t m = a < 0 ? 0 - static_cast<uint64_t>(a) : static_cast<uint64_t>(a);
-  const uint64_t n = b < 0 ? 0 - static_cast<uint64_t>(b) : static_cast<uint64_t>(b);
-  const uint64_t magnitude =
-      UpperProductByHalves(m, n) << (64 - kFractionBits) | m * n >> kFractionBits;
-  return WrapFixed(static_cast<int64_t>((a < 0) != (b < 0) ? 0 - magnitude : magnitude),
-                   wrap_shift);
-}
-
 /// (a*b)/2^16, exact before it is truncated toward zero and wrapped.
 constexpr int64_t MultiplyFixed(int64_t a, int64_t b, int wrap_shift) {
-#ifdef __SIZEOF_INT128__
-  __extension__ using Wide = __int128;
-  const Wide product = static_cast<Wide>(a) * b;
-  const Wide toward_zero = product + ((product >> 127) & ((1 << kFractionBits) - 1));
-  return WrapFixed(static_cast<int64_t>(toward_zero >> kFractionBits), wrap_shift);
-#else
-  return MultiplyFixedByHalves(a, b, wrap_shift);
-#endif
+  // Of the product's bits only 16 to 63 can remain: the fraction is cut off below them, the wrap
+  // above. So its lower half is enough. Adding the largest fraction to a negative product makes the
+  // cut one toward zero; to a product of 0 it adds nothing that remains.
+  const uint64_t product = static_cast<uint64_t>(a) * static_cast<uint64_t>(b);
+  const auto fraction = static_cast<uint64_t>((a ^ b) >> 63 & ((1 << kFractionBits) - 1));
+  return static_cast<int64_t>((product + fraction) << (wrap_shift - kFractionBits)) >> wrap_shift;
 }
 
 /// (a*2^16)/b truncated toward zero and wrapped; b must not be 0.
