@@ -78,6 +78,45 @@ test("structured C stands beside what it becomes, and follows edits", async ({ p
   });
 });
 
+test("the pointer links C, the statements of the card and their instruction words", async ({
+  page,
+}) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, counting);
+  await page.keyboard.press("F8");
+  const line = page.locator(".cm-line").filter({ hasText: "total += 2 * i + 1" });
+  const pointedLine = page.locator(".cm-pointed");
+
+  await test.step("at a line of C: what it becomes", async () => {
+    await page.getByRole("button", { name: "Statements" }).click();
+    await line.hover();
+    const statements = page.locator(".listing .pointed code");
+    await expect(statements.first()).toContainText("tmp1 := 2 * i");
+    expect(await statements.count()).toBeGreaterThan(2);
+    await show(page);
+    await line.hover();
+    await expect(page.locator(".two-columns .pointed").first()).toContainText("total += 2 * i + 1");
+    // The line itself is under the pointer: nothing need say which one it is.
+    await expect(pointedLine).toHaveCount(0);
+  });
+
+  await test.step("at what it becomes: the line of C", async () => {
+    await rows(page).filter({ hasText: "total = total +" }).hover();
+    await expect(pointedLine).toHaveText("    total += 2 * i + 1; // adds");
+    await page.getByRole("button", { name: "Statements" }).click();
+    await expect(pointedLine).toHaveCount(0);
+    await page
+      .locator(".listing tr")
+      .filter({ hasText: "tmp1 := 2 * i" })
+      .locator(".words")
+      .hover();
+    await expect(pointedLine).toHaveText("    total += 2 * i + 1; // adds");
+    await page.mouse.move(0, 0);
+    await expect(pointedLine).toHaveCount(0);
+  });
+});
+
 test("a line of an included file is shown in that file", async ({ page }) => {
   const files = {
     "program.c": '//@ structured\n#include "twice.h"\nint main()\n{\n  return twice(x);\n}\n',

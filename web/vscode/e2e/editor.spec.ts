@@ -119,6 +119,22 @@ test("C stands beside card code", async ({ page }) => {
     await page.keyboard.press("ArrowDown");
   });
 
+  await test.step("the pointer at a row marks its line", async () => {
+    const marked = page.locator(".view-overlays > div", { has: page.locator("[class*='ced-']") });
+    await rowOf(11).hover();
+    await expect(marked).toHaveCount(1);
+    const line = page.locator(".view-line", { hasText: "sum += i;" }).first();
+    // The editor draws its lines anew meanwhile.
+    await expect
+      .poll(async () => {
+        const [mark, its] = [await marked.boundingBox(), await line.boundingBox()];
+        return mark !== null && mark.y === its?.y;
+      })
+      .toBe(true);
+    await page.locator(".view-line").first().hover();
+    await expect(marked).toHaveCount(0);
+  });
+
   await test.step("it follows what is typed, and keeps the rows while there are errors", async () => {
     await page.keyboard.press("End");
     await page.keyboard.press("Backspace");

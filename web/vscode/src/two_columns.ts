@@ -12,6 +12,7 @@ import {
   Range,
   type TextDocument,
   type TextEditor,
+  ThemeColor,
   Uri,
   type ViewColumn,
   type WebviewPanel,
@@ -49,6 +50,10 @@ class TwoColumnsPanel {
   #column: ViewColumn | undefined;
   #shown: Shown | undefined;
   #chosen: Place | undefined;
+  readonly #pointed = window.createTextEditorDecorationType({
+    backgroundColor: new ThemeColor("editor.hoverHighlightBackground"),
+    isWholeLine: true,
+  });
   readonly #ask = oneAtATime(() => this.#askOnce());
 
   constructor(engines: Engines, onClosed: () => void) {
@@ -68,11 +73,13 @@ class TwoColumnsPanel {
       }),
       this.#panel.webview.onDidReceiveMessage((message: FromView) => {
         if (message === "ready") this.#send();
-        else void this.#showLine(message);
+        else if ("point" in message) this.#mark(message.point);
+        else void this.#showLine(message.show);
       }),
     ];
     this.#panel.onDidDispose(() => {
       for (const each of watched) each.dispose();
+      this.#pointed.dispose();
       this.#document = undefined;
       this.#closeEngine();
       onClosed();
@@ -145,6 +152,16 @@ class TwoColumnsPanel {
 
   #post(message: ToView): void {
     void this.#panel.webview.postMessage(message);
+  }
+
+  /** Marks the line of C whose statements the pointer is at. */
+  #mark(place: Place | null): void {
+    const path = place && resolve(place.file);
+    for (const editor of window.visibleTextEditors) {
+      const isIn = editor.document.uri.fsPath === path;
+      const lines = place && isIn ? [new Range(place.line - 1, 0, place.line - 1, 0)] : [];
+      editor.setDecorations(this.#pointed, lines);
+    }
   }
 
   async #showLine({ file, line }: Place): Promise<void> {

@@ -17,5 +17,8 @@ export interface ToView {
   chosen?: Place;
 }
 
-/** The view is there, or somebody wants to see a line of C. */
-export type FromView = "ready" | Place;
+/**
+ * The view is there, somebody wants to see a line of C, or the pointer is at what a line became (null:
+ * no longer).
+ */
+export type FromView = "ready" | { show: Place } | { point: Place | null };

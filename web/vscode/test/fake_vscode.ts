@@ -11,7 +11,7 @@ import { vi } from "vitest";
 // Its types are those of jest's functions.
 const data = createVSCodeMock(vi as never);
 export const { CodeLens, EventEmitter, Location, ProgressLocation, Range, TaskScope } = data;
-export const { Uri, ViewColumn } = data;
+export const { ThemeColor, Uri, ViewColumn } = data;
 type Uri = ReturnType<typeof Uri.file>;
 
 export interface FakeDocument {
@@ -61,6 +61,7 @@ export const editor = {
     workspace.textDocuments = [];
     workspace.files = [];
     window.activeTextEditor = undefined;
+    window.visibleTextEditors = [];
     debug.activeDebugSession = undefined;
     env.language = "en";
   },
@@ -128,6 +129,7 @@ interface FakeEditor {
   document: FakeDocument;
   viewColumn?: number;
   selection?: { active: { line: number } };
+  setDecorations?: Handler;
 }
 
 /** What a panel shows is a page in the real editor; here a test is its reader. */
@@ -154,6 +156,8 @@ export class FakePanel {
 
 export const window = {
   activeTextEditor: undefined as FakeEditor | undefined,
+  visibleTextEditors: [] as FakeEditor[],
+  createTextEditorDecorationType: () => nothing,
   followed: new EventEmitter<FakeEditor | undefined>(),
   onDidChangeActiveTextEditor: (listener: Handler) => window.followed.event(listener),
   selected: new EventEmitter<{ textEditor: FakeEditor }>(),

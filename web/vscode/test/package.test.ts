@@ -44,6 +44,7 @@ import {
   type CustomExecution,
   documentAt,
   editor,
+  Range,
   session,
   type Task,
   type TestMessage,
@@ -255,13 +256,23 @@ describe.skipIf(withoutModule)("the package", () => {
       language: "en",
       chosen: { file: sample("01_sum/sum.c"), line: 5 },
     });
-    panel.received.fire({ file: path, line: 5 });
+    panel.received.fire({ show: { file: path, line: 5 } });
     await vi.waitFor(() => {
       expect(editor.shown.slice(-2)).toEqual([
         Uri.file(path).toString(),
         JSON.stringify({ line: 4, character: 0 }),
       ]);
     });
+
+    // The pointer is at what a line became, and then no longer.
+    const marked = vi.fn();
+    window.visibleTextEditors = [{ ...textEditor, setDecorations: marked }];
+    panel.received.fire({ point: { file: path, line: 5 } });
+    expect(marked).toHaveBeenLastCalledWith(expect.anything(), [new Range(4, 0, 4, 0)]);
+    panel.received.fire({ point: { file: sample("01_sum/sum.c"), line: 5 } });
+    expect(marked).toHaveBeenLastCalledWith(expect.anything(), []);
+    panel.received.fire({ point: null });
+    expect(marked).toHaveBeenCalledTimes(3);
     panel.dispose();
     await editor.commands.get("oncard.showTwoColumns")?.();
     expect(editor.panels).toHaveLength(2);

@@ -4,7 +4,7 @@ import { TwoColumnsView } from "@oncard/playground/two_columns";
 import { twoColumns } from "@oncard/playground/two_columns/texts";
 import { render } from "preact";
 
-import type { FromView, ToView } from "../src/two_columns_messages";
+import type { FromView, Place, ToView } from "../src/two_columns_messages";
 import { openPanel } from "./panel.js";
 
 import "@oncard/playground/elements.css";
@@ -14,16 +14,27 @@ import "./two_columns.css";
 
 openPanel<ToView, FromView>((main, { shown, language, chosen }, now, tell) => {
   if (!shown || !language) return;
-  render(
-    <TwoColumnsView
-      shown={shown}
-      words={twoColumns[language]}
-      mark={(file, line) => (file === chosen?.file && line === chosen.line ? "linked" : "")}
-      onShow={(file, line) => {
-        tell({ file, line });
-      }}
-    />,
-    main,
-  );
+  const draw = (pointed?: Place) => {
+    const isAt = (place: Place | undefined, file: string, line: number) =>
+      file === place?.file && line === place.line;
+    render(
+      <TwoColumnsView
+        shown={shown}
+        words={twoColumns[language]}
+        mark={(file, line) =>
+          isAt(chosen, file, line) ? "linked" : isAt(pointed, file, line) ? "pointed" : ""
+        }
+        onPoint={(place) => {
+          draw(place);
+          tell({ point: place ?? null });
+        }}
+        onShow={(file, line) => {
+          tell({ show: { file, line } });
+        }}
+      />,
+      main,
+    );
+  };
+  draw();
   if (now.chosen) document.querySelector(".linked")?.scrollIntoView({ block: "nearest" });
 });

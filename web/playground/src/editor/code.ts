@@ -72,7 +72,7 @@ const look = EditorView.theme({
     boxShadow: "inset 3px 0 var(--thread)",
   },
   ...threadColours(),
-  ".cm-linked": { backgroundColor: "var(--raised)" },
+  ".cm-linked, .cm-pointed": { backgroundColor: "var(--raised)" },
   ".cm-tooltip": {
     backgroundColor: "var(--raised)",
     color: "var(--ink)",
@@ -121,6 +121,21 @@ const marks = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+/** Says which line the pointer is at. */
+function pointedLine(say: (line: number | undefined) => void) {
+  return EditorView.domEventHandlers({
+    pointermove({ clientY }, view) {
+      const height = clientY - view.documentTop;
+      const { from, top, bottom } = view.lineBlockAtHeight(height);
+      const isAtLine = top <= height && height < bottom;
+      say(isAtLine ? view.state.doc.lineAt(from).number : undefined);
+    },
+    pointerleave() {
+      say(undefined);
+    },
+  });
+}
+
 export class CodeEditor {
   readonly #view: EditorView;
   readonly #language = new Compartment();
@@ -131,6 +146,8 @@ export class CodeEditor {
     private readonly on: {
       edit: (text: string) => void;
       line: (line: number) => void;
+      /** The pointer is at another line, or at none. */
+      point: (line: number | undefined) => void;
       /** A click beside a line. */
       toggle: (line: number) => void;
       /** The text before breakpoints was edited: their lines now. */
@@ -167,6 +184,7 @@ export class CodeEditor {
         marks,
         inlineValues,
         descriptions(this.on.describe),
+        pointedLine(this.on.point),
         indentUnit.of("  "),
         look,
         syntaxHighlighting(colours),

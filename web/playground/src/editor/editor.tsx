@@ -10,7 +10,7 @@ import { useAsked } from "../session/asked.js";
 import { bench, present, session } from "../session/bench.js";
 import { messages } from "../session/messages.js";
 import { complete, describe, hints, isEdited, toggleBreakpoint } from "../session/on_card.js";
-import { chooseLine, layout } from "../store/layout.js";
+import { chooseLine, layout, pointAt } from "../store/layout.js";
 import { settings } from "../store/settings.js";
 import {
   copyProgram,
@@ -41,7 +41,7 @@ function inFile(name: string, work: (shown: CodeEditor) => void): void {
   showFile(name);
 }
 
-/** Lines of the statements that the threads execute next, and the chosen line. */
+/** Lines of the statements that the threads execute next, the chosen line, and one pointed at in a list. */
 function markedLines(): MarkedLines {
   const isLoaded = !isEdited.value && source.file.value === source.lesson.value.program;
   const next = isLoaded
@@ -53,6 +53,10 @@ function markedLines(): MarkedLines {
   const marked = [...lines].map(([line, thread]) => ({ line, class: `cm-next t${thread % 8}` }));
   if (isLoaded && !lines.has(layout.chosenLine.value)) {
     marked.push({ line: layout.chosenLine.value, class: "cm-linked" });
+  }
+  const pointed = layout.pointed.value;
+  if (pointed && !pointed.isInText && pointed.file === source.file.value) {
+    marked.push({ line: pointed.line, class: "cm-pointed" });
   }
   return marked;
 }
@@ -249,6 +253,10 @@ function Code() {
       },
       line: (line) => {
         if (source.file.value === source.lesson.value.program) chooseLine(line);
+      },
+      point: (line) => {
+        const file = source.file.value;
+        pointAt(line === undefined ? undefined : { file, line, isInText: true });
       },
       toggle: (line) => {
         if (source.file.value === source.lesson.value.program) toggleBreakpoint(line);

@@ -5,7 +5,7 @@ import { RefusedError } from "@oncard/engine";
 import { bench, present } from "../session/bench.js";
 import { useAsked } from "../session/asked.js";
 import { isEdited } from "../session/on_card.js";
-import { layout, showLine } from "../store/layout.js";
+import { isPointed, layout, pointAt, showLine } from "../store/layout.js";
 import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
 import { type Shown, shownAfter } from "../two_columns/shown.js";
@@ -38,7 +38,11 @@ export function TwoColumns() {
       words={texts.value.twoColumns}
       mark={(file, line) => {
         if (places.has(`${file}:${line}`)) return "next";
-        return file === main && line === layout.chosenLine.value ? "linked" : "";
+        if (file === main && line === layout.chosenLine.value) return "linked";
+        return isPointed(file, line) ? "pointed" : "";
+      }}
+      onPoint={(place) => {
+        pointAt(place && { ...place, isInText: false });
       }}
       onShow={(file, line) => {
         if (file === main) showLine(line);

@@ -2,13 +2,14 @@
 // it becomes, and warnings.
 
 import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
-import { useLayoutEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { Tabs } from "../controls/tabs.js";
 import { bench, present, session } from "../session/bench.js";
 import { isEdited } from "../session/on_card.js";
 import { record } from "../session/record.js";
-import { layout, showLine, showTab, type Tab, tabs } from "../store/layout.js";
+import { isPointed, layout, pointAt, showLine, showTab, type Tab, tabs } from "../store/layout.js";
+import { source } from "../store/source.js";
 import { number } from "../texts/number.js";
 import { texts } from "../texts/texts.js";
 import { TwoColumns } from "./two_columns.js";
@@ -208,8 +209,13 @@ function nextStatements(): Set<string> {
   return new Set(running.map(({ function: name, position }) => `${name} ${position}`));
 }
 
+function leaveLines(): void {
+  pointAt(undefined);
+}
+
 function Listing() {
   const next = nextStatements();
+  useEffect(() => leaveLines, []);
   return (
     <>
       {session.listing.value.map((listed) => (
@@ -221,8 +227,9 @@ function Listing() {
 
 function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<string> }) {
   const { values: t } = texts.value;
+  const file = source.lesson.value.program;
   return (
-    <table class="values listing">
+    <table class="values listing" onPointerLeave={leaveLines}>
       <caption>{listed.name}</caption>
       <thead>
         <tr>
@@ -236,9 +243,16 @@ function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<s
       <tbody>
         {listed.statements.map(({ line, text, words }, index) => {
           const isLinked = !isEdited.value && line === layout.chosenLine.value;
+          const isUnderPointer = !isEdited.value && isPointed(file, line);
           const isNext = next.has(`${listed.name} ${index}`);
           return (
-            <tr key={index} class={`${isLinked ? "linked" : ""} ${isNext ? "next" : ""}`}>
+            <tr
+              key={index}
+              class={`${isLinked ? "linked" : ""} ${isUnderPointer ? "pointed" : ""} ${isNext ? "next" : ""}`}
+              onPointerEnter={() => {
+                if (!isEdited.peek()) pointAt({ file, line, isInText: false });
+              }}
+            >
               <td class="number">
                 <LineLink line={line} />
               </td>

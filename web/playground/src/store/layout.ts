@@ -24,6 +24,8 @@ interface Layout {
   tab: Tab;
   /** The line of the program that the reader has chosen, in the editor or among the statements. */
   chosenLine: number;
+  /** The line of a file that the pointer is at, in its text or in a list of what it becomes. */
+  pointed: { file: string; line: number; isInText: boolean } | undefined;
   /** A line that the editor is to show; another object with each wish. */
   wishedLine: { line: number; file?: string } | undefined;
   /** Grows with each wish to go on in the list of values with the keyboard. */
@@ -34,6 +36,7 @@ const [layout, change] = slice<Layout>({
   front: "lesson",
   tab: "variables",
   chosenLine: 0,
+  pointed: undefined,
   wishedLine: undefined,
   listWishes: 0,
 });
@@ -56,6 +59,19 @@ export function showTab(tab: Tab): void {
 /** The cursor of the editor is in another line of the program. */
 export function chooseLine(line: number): void {
   change({ chosenLine: line });
+}
+
+/** The pointer is at a line of a file, or no longer at one. */
+export function pointAt(pointed: Layout["pointed"]): void {
+  const before = layout.pointed.peek();
+  // It moves within a line most of the time.
+  if (JSON.stringify(pointed) !== JSON.stringify(before)) change({ pointed });
+}
+
+/** True if the pointer is at a line, wherever that is shown. */
+export function isPointed(file: string, line: number): boolean {
+  const pointed = layout.pointed.value;
+  return pointed?.file === file && pointed.line === line;
 }
 
 /** Shows a line of the program in the editor, or of another file. */

@@ -2,6 +2,7 @@
 // neither the page nor its session; the extension for Visual Studio Code shows it, too.
 
 import { Fragment } from "preact";
+import { useEffect } from "preact/hooks";
 
 import type { Shown } from "./shown.js";
 
@@ -16,15 +17,24 @@ export interface TwoColumnsWords {
 interface TwoColumnsInputs {
   shown: Shown;
   words: TwoColumnsWords;
-  /** The class of what a line of C became: `next` for the threads' next line, `linked` for a chosen one. */
-  mark: (file: string, line: number) => "next" | "linked" | "";
+  /**
+   * The class of what a line of C became: `next` for the threads' next line, `linked` for a chosen one,
+   * `pointed` for one that the pointer is at.
+   */
+  mark: (file: string, line: number) => "next" | "linked" | "pointed" | "";
+  /** The pointer is at what a line of C became, or no longer. */
+  onPoint: (place: { file: string; line: number } | undefined) => void;
   /** The reader wants to see a line of C. */
   onShow: (file: string, line: number) => void;
 }
 
 export function TwoColumnsView(inputs: TwoColumnsInputs) {
   const { rows, state } = inputs.shown;
-  const { words } = inputs;
+  const { words, onPoint } = inputs;
+  const leave = () => {
+    onPoint(undefined);
+  };
+  useEffect(() => leave, []);
   return (
     <>
       {state !== "fresh" && (
@@ -33,7 +43,7 @@ export function TwoColumnsView(inputs: TwoColumnsInputs) {
         </p>
       )}
       {rows.length > 0 && (
-        <table class={`two-columns ${state}`}>
+        <table class={`two-columns ${state}`} onPointerLeave={leave}>
           <thead>
             <tr>
               <th scope="col">{words.line}</th>
@@ -50,7 +60,7 @@ export function TwoColumnsView(inputs: TwoColumnsInputs) {
   );
 }
 
-function Rows({ shown: { rows }, mark, onShow }: TwoColumnsInputs) {
+function Rows({ shown: { rows }, mark, onPoint, onShow }: TwoColumnsInputs) {
   const isSeveral = rows.some(({ file }) => file !== undefined && file !== rows[0]?.file);
   // What has no line of C belongs to the statement above.
   let [file, line] = ["", 0];
@@ -69,6 +79,9 @@ function Rows({ shown: { rows }, mark, onShow }: TwoColumnsInputs) {
         )}
         <tr
           class={`${row.again ? "again" : ""} ${mark(...place)}`}
+          onPointerEnter={() => {
+            onPoint({ file: place[0], line: place[1] });
+          }}
           onClick={() => {
             // Text that is selected is to be copied.
             if (getSelection()?.isCollapsed !== false) onShow(...place);
