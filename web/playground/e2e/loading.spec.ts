@@ -34,6 +34,24 @@ test("a module is also taken from a server that does not know its type", async (
   await open(page);
 });
 
+test("the script of the worker comes beside the module", async ({ page }) => {
+  const script = page.waitForRequest("**/worker.js");
+  await page.route("**/oncard.wasm", async (route) => {
+    await script;
+    await route.continue();
+  });
+  await open(page);
+});
+
+test("without that script the page says what is missing, before it has the module", async ({
+  page,
+}) => {
+  await page.route("**/worker.js", (route) => route.fulfill({ status: 404 }));
+  await page.route("**/oncard.wasm", () => undefined); // it never comes
+  await page.goto(".");
+  await expect(status(page)).toContainText("worker.js cannot be fetched");
+});
+
 test("links to the page have a preview, which lies beside it", async ({ page, request }) => {
   await page.goto(".");
   const of = (name: string) => page.locator(`meta[property="og:${name}"]`).getAttribute("content");

@@ -89,10 +89,11 @@ async function overSlowLine() {
     downloadThroughput: 200_000,
     uploadThroughput: 200_000,
   });
-  const begin = performance.now();
   await page.goto(`http://127.0.0.1:${compressing.address().port}/#lesson=assignment`);
-  await page.getByText("Card ready.").waitFor({ state: "attached", timeout: 60_000 });
-  const ready = (performance.now() - begin) / 1000;
+  // Looked for in each frame: whoever waits outside of the page looks every half a second.
+  const isReady = () => document.body.textContent.includes("Card ready.") && performance.now();
+  const found = await page.waitForFunction(isReady, undefined, { timeout: 60_000, polling: "raf" });
+  const ready = (await found.jsonValue()) / 1000;
   const paint = await page.evaluate(
     () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime / 1000,
   );

@@ -46,9 +46,20 @@ async function compiledModule(purpose: Purpose): Promise<WebAssembly.Module> {
  * @throws the module cannot be fetched or compiled
  */
 export async function startModule(purpose: Purpose): Promise<Engine> {
-  const compiled = await compiledModule(purpose);
+  // Its script comes beside the module.
   const worker = new Worker(new URL("worker.js", document.baseURI));
-  return new Engine(new WorkerTransport(worker, compiled));
+  const failed = new Promise<never>((_, reject) => {
+    worker.addEventListener("error", ({ message }) => {
+      reject(new Error(message || "worker.js cannot be fetched"));
+    });
+  });
+  try {
+    const compiled = await Promise.race([compiledModule(purpose), failed]);
+    return new Engine(new WorkerTransport(worker, compiled));
+  } catch (error) {
+    worker.terminate();
+    throw error;
+  }
 }
 
 /**
