@@ -33,7 +33,7 @@ bool IsLeftOut(ThreadId id) {
   return std::any_of(left_out.begin(), left_out.end(), [id](const auto& out) { return out == id; });
 }
 
-std::string PathOf(ThreadId id, const char* name) {
+std::string TaskFileOf(ThreadId id, const char* name) {
   return "/proc/self/task/" + std::to_string(id) + "/" + name;
 }
 
@@ -146,7 +146,7 @@ size_t WaitingThreads::CountKnown(const Known& known) {
 
 void WaitingThreads::OpenFiles(Thread* thread) const {
   const auto open = [thread](const char* name) {
-    return MoveToKept(::open(PathOf(thread->id, name).c_str(), O_RDONLY | O_CLOEXEC));
+    return MoveToKept(::open(TaskFileOf(thread->id, name).c_str(), O_RDONLY | O_CLOEXEC));
   };
   if (counts_runs_) {
     thread->call = open("syscall");
@@ -184,7 +184,7 @@ std::string WaitingThreads::Read(const Thread& thread, int file, const char* nam
   ssize_t size = -1;
   if (file >= 0) {
     size = ::pread(file, text.data(), text.size(), 0);
-  } else if (const int opened = ::open(PathOf(thread.id, name).c_str(), O_RDONLY | O_CLOEXEC);
+  } else if (const int opened = ::open(TaskFileOf(thread.id, name).c_str(), O_RDONLY | O_CLOEXEC);
              opened >= 0) {
     size = ::read(opened, text.data(), text.size());
     ::close(opened);
