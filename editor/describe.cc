@@ -110,16 +110,9 @@ const Token* MemberAt(const Analysis& analysis, Cursor cursor, const gtcalls::Me
       tokens[at - 1].range.end == cursor.offset) {
     --at;
   }
-  const bool is_member = at >= 2 && at < tokens.size() && tokens[at].kind == Kind::kName &&
-                         tokens[at - 1].kind == Kind::kDot;
-  if (!is_member || tokens[at].range.begin > cursor.offset) return nullptr;
-  const Symbol* const operand = OperandBefore(analysis, cursor.file, at - 1);
-  const gtcalls::Structure* const structure = operand != nullptr ? operand->structure : nullptr;
-  if (structure == nullptr) return nullptr;
-  const auto found = std::ranges::find(structure->members, tokens[at].text, &gtcalls::Member::name);
-  if (found == structure->members.end()) return nullptr;
-  *member = &*found;
-  return &tokens[at];
+  if (at >= tokens.size() || tokens[at].range.begin > cursor.offset) return nullptr;
+  *member = CardMemberAt(analysis, cursor.file, at);
+  return *member != nullptr ? &tokens[at] : nullptr;
 }
 
 // The bracket that a closing one belongs to; empty for another token.
@@ -219,6 +212,18 @@ const Symbol* OperandBefore(const Analysis& analysis, int file, size_t dot) {
   return nullptr;
 }
 
+const gtcalls::Member* CardMemberAt(const Analysis& analysis, int file, size_t name) {
+  const std::vector<Token>& tokens = analysis.text.file(file).tokens;
+  const bool is_member =
+      name >= 2 && tokens[name].kind == Kind::kName && tokens[name - 1].kind == Kind::kDot;
+  if (!is_member) return nullptr;
+  const Symbol* const operand = OperandBefore(analysis, file, name - 1);
+  if (operand == nullptr || operand->structure == nullptr) return nullptr;
+  const auto& members = operand->structure->members;
+  const auto found = std::ranges::find(members, tokens[name].text, &gtcalls::Member::name);
+  return found != members.end() ? &*found : nullptr;
+}
+
 std::map<int, int> SlotsOf(const Analysis& analysis, const vm::Object& object) {
   using Key = std::pair<std::string_view, std::string_view>;  // function, if any, and variable
   std::map<Key, int> known;
@@ -265,10 +270,12 @@ Json Describe(const Analysis& analysis, Cursor cursor, const vm::Object* object,
   if (const Token* token = MemberAt(analysis, cursor, &member)) {
     const std::string declaration =
         fmt::format("{} {}", gtcalls::SpellScalar(member->type), member->name);
+    const std::string_view unit = gtcalls::SpellUnit(member->unit);
     return {{"kind", "member"},
             {"name", member->name},
             {"declaration", declaration},
-            {"markdown", CodeBlock(declaration)},
+            {"markdown", CodeBlock(unit.empty() ? declaration
+                                                : fmt::format("{}  /* {} */", declaration, unit))},
             {"range", RangeJson(analysis.text, token->range)}};
   }
   const std::vector<Token>& tokens = analysis.text.file(cursor.file).tokens;

@@ -32,6 +32,10 @@ bool IsThreadFunction(const ProgramText& text, const Symbol& function);
 /// `f` of `f().x`; `dot` is the index of that token in the file. nullptr if nothing known is there.
 const Symbol* OperandBefore(const Analysis& analysis, int file, size_t dot);
 
+/// The member of a structure of the card that the token at `name` is, as in `trap.acc`; nullptr if
+/// it is none.
+const gtcalls::Member* CardMemberAt(const Analysis& analysis, int file, size_t name);
+
 /// The slots of variables in their data page or among the globals, by symbol; those of blocks that
 /// share a name are missing, and so are those that the program does not need.
 std::map<int, int> SlotsOf(const Analysis& analysis, const vm::Object& object);

@@ -224,6 +224,24 @@ void HintArguments(const Analysis& analysis, int file, Json* hints) {
   }
 }
 
+// The units of the members that get a value.
+void HintMembers(const Analysis& analysis, int file, Json* hints) {
+  const std::vector<Token>& tokens = analysis.text.file(file).tokens;
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (tokens[i + 1].kind != Kind::kAssign) continue;
+    const gtcalls::Member* const member = CardMemberAt(analysis, file, i);
+    const std::string_view unit = member != nullptr ? gtcalls::SpellUnit(member->unit) : "";
+    if (unit.empty()) continue;
+    const auto at = tokens[i + 2].range.begin;
+    Json hint = RangeJson(analysis.text, {file, at, at});
+    hint["kind"] = "member";
+    hint["name"] = member->name;
+    hint["unit"] = unit;
+    hint["label"] = fmt::format("[{}]:", unit);
+    hints->push_back(std::move(hint));
+  }
+}
+
 }  // namespace
 
 Json Outline(const Analysis& analysis, int file) {
@@ -308,6 +326,7 @@ Json Folds(const Analysis& analysis, int file) {
 Json Hints(const Analysis& analysis, int file, const vm::Object* object) {
   Json hints = Json::array();
   HintArguments(analysis, file, &hints);
+  HintMembers(analysis, file, &hints);
   if (object == nullptr) return hints;
   for (const auto& [index, slot] : SlotsOf(analysis, *object)) {
     const Symbol& symbol = analysis.names.symbol(index);

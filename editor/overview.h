@@ -17,7 +17,8 @@ Json Tokens(const Analysis& analysis, int file);
 Json Folds(const Analysis& analysis, int file);
 
 /// What a reader of a file would have to look up: the parameter and unit of each argument of a
-/// command, and the slot of each variable if the program compiles; `object` may be nullptr.
+/// command, the unit of each member of a structure of the card that gets a value, and the slot of
+/// each variable if the program compiles; `object` may be nullptr.
 Json Hints(const Analysis& analysis, int file, const vm::Object* object);
 
 }  // namespace oncard::editor

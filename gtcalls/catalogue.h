@@ -113,6 +113,7 @@ struct Access {
 };
 
 struct Structure;
+enum class Unit : uint8_t;
 
 /// A member of an interface structure.
 struct Member {
@@ -121,6 +122,14 @@ struct Member {
   int array_size = 0;                    ///< elements, 0 for a scalar
   bool pointer = false;                  ///< a pointer to `type`
   const Structure* structure = nullptr;  ///< a nested structure; `type` is then unused
+  Unit unit{};                           ///< of members that motion programs write
+
+  /// The same member while its row is written, with a unit.
+  constexpr Member In(Unit new_unit) const {
+    Member changed = *this;
+    changed.unit = new_unit;
+    return changed;
+  }
 };
 
 /// A structure of the interface.
@@ -137,7 +146,7 @@ struct Constant {
   long value = 0;
 };
 
-/// Unit of a parameter, for documentation and messages.
+/// Unit of a parameter or member, for documentation and messages.
 enum class Unit : uint8_t {
   kNone,
   kPulse,

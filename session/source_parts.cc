@@ -123,7 +123,7 @@ std::vector<Part> SourceParts() {
        Object({Has("kind", Words({"function", "block", "comment", "directive"})),
                Has("line", Whole()), Has("end_line", Whole())})},
       {"Hint", "What a reader would have to look up, at a range without length.",
-       Object(FileRangeMembers() + Members{Has("kind", Words({"argument", "slot"})),
+       Object(FileRangeMembers() + Members{Has("kind", Words({"argument", "member", "slot"})),
                                            MayHave("name", Text()), MayHave("unit", Text()),
                                            MayHave("slot", Whole()), Has("label", Text())})},
       {"Fixes", "A program after all fix-its, and what is left to be corrected.",

@@ -186,6 +186,16 @@ TEST(Hints, HaveNoSlotsOfBlocksThatShareAName) {
             "1:6 @0\n");
 }
 
+TEST(Hints, HaveTheUnitsOfMembersThatGetAValue) {
+  EXPECT_EQ(HintsOf("TTrapPrm t;\nTJogPrm j;\nint f()\n{\n  t.acc = 0.5;\n  t.smoothTime = 5;\n"
+                    "  j.smooth = 0.5;\n  j.dec = t.acc;\n  t.velStart == 1;\n}\n"),
+            "5:11 [pulse/ms^2]:\n6:18 [ms]:\n8:11 [pulse/ms^2]:\n");
+  EXPECT_EQ(
+      HintsOf("struct s { TTrapPrm trap; } a[2];\nint f(int i)\n{\n  a[i].trap.dec = 1;\n  +\n}\n",
+              kStructured),
+      "4:19 [pulse/ms^2]:\n");
+}
+
 TEST(Hints, OfNestedCalls) {
   EXPECT_EQ(HintsOf("int f()\n{\n  GT_AxisOn((1 + 2), 3\n  GT_AxisOn(\n", kStructured),
             "3:13 axis:\n");

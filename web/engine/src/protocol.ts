@@ -1335,7 +1335,7 @@ export interface Hint {
   column: number;
   end_line: number;
   end_column: number;
-  kind: "argument" | "slot";
+  kind: "argument" | "member" | "slot";
   name?: string;
   unit?: string;
   slot?: number;

@@ -238,7 +238,7 @@ export class Source {
       const position = lines.position(hint);
       if (position.line < start.line || position.line > end.line) continue;
       const shownHint: InlayHint = { position, label: hint.label };
-      if (hint.kind === "argument") {
+      if (hint.kind !== "slot") {
         shownHint.kind = InlayHintKind.Parameter;
         shownHint.paddingRight = true;
       }

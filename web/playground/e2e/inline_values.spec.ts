@@ -52,9 +52,13 @@ test("values go with an edit: they are of another text", async ({ page }) => {
   await expect(page.locator(".cm-made")).toHaveCount(0);
 });
 
-test("units stand behind the arguments of commands, and go with their lines", async ({ page }) => {
+test("units stand behind arguments and members of structures, and go with their lines", async ({
+  page,
+}) => {
   await openProgram(page);
   await expect.poll(() => behind(page, ".cm-unit")).toEqual(["pulse/ms"]);
   await write(page, program.replace("GT_SetVel(1, 20)", "GT_SetPos(1, 20)"));
   await expect.poll(() => behind(page, ".cm-unit")).toEqual(["pulse"]);
+  await write(page, "TTrapPrm trap;\nint main()\n{\n  trap.acc = 0.25;\n  return 0;\n}\n");
+  await expect.poll(() => behind(page, ".cm-unit")).toEqual(["pulse/ms^2"]);
 });

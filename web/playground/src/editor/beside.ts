@@ -1,5 +1,5 @@
 // What stands behind the lines of the program: what each thread made in a line when it executed the line
-// last, and the units of the arguments of commands.
+// last, and the units of arguments of commands and members of their structures.
 // The page and the extension for Visual Studio Code show it.
 // Tested by test/beside.test.ts.
 
