@@ -60,8 +60,8 @@ test("axes have what they are commanded, where they are, and the switches of the
   });
   expect(axis).toMatchObject({ position: 500, actual: 480 });
   expect(axis?.switches).toEqual([
-    { type: "limit_positive", place: 450, on: true },
-    { type: "limit_negative", place: -20, on: false },
+    { type: "limit_positive", index: 2, place: 450, on: true },
+    { type: "limit_negative", index: 2, place: -20, on: false },
   ]);
 });
 

@@ -5,6 +5,7 @@ import {
   boxesOfAxes,
   inside,
   layoutOf,
+  layoutOfMachine,
   layoutOfScope,
   layoutOfTable,
 } from "../src/video/layout.js";
@@ -36,14 +37,20 @@ const counts = [1, 2, 4, 5, 8, 16, 32];
 test.each(counts.flatMap((axes) => [0, 1, 3, 16, 40].map((curves) => [axes, curves] as const)))(
   "everything has its place: %d axes, %d curves",
   (axes, curves) => {
-    const { machine, scope } = layoutOf(axes, false, curves);
+    const { machine, scope } = layoutOf(axes, false, 8, curves);
     expect(isIn(machine, frame)).toBe(true);
-    const boxes = boxesOfAxes(axes, inside(machine));
+    const { axes: box, lamps } = layoutOfMachine(8, machine);
+    expect(isIn(box, inside(machine))).toBe(true);
+    for (const [index, lamp] of lamps.entries()) {
+      expect(isIn(lamp, machine)).toBe(true);
+      for (const other of [box, ...lamps.slice(index + 1)]) expect(isApart(lamp, other)).toBe(true);
+    }
+    const boxes = boxesOfAxes(axes, box);
     expect(boxes).toHaveLength(axes);
-    for (const [index, box] of boxes.entries()) {
-      expect(isIn(box, inside(machine))).toBe(true);
-      expect(box.height).toBeGreaterThanOrEqual(axes > 4 ? 20 : 80);
-      for (const other of boxes.slice(index + 1)) expect(isApart(box, other)).toBe(true);
+    for (const [index, its] of boxes.entries()) {
+      expect(isIn(its, box)).toBe(true);
+      expect(its.height).toBeGreaterThanOrEqual(axes > 4 ? 20 : 78);
+      for (const other of boxes.slice(index + 1)) expect(isApart(its, other)).toBe(true);
     }
     expect(scope === undefined).toBe(curves === 0);
     if (!scope) return;

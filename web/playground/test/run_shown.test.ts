@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import type { AxisView } from "../src/machine/axes.js";
-import { carriageOf, curvesOf, isMoving, partAt, shownAxis } from "../src/video/run.js";
+import { carriageOf, curvesOf, isMoving, lampsOf, partAt, shownAxis } from "../src/video/run.js";
 
 const view: AxisView = {
   axis: 2,
@@ -31,6 +31,33 @@ test("an axis moves where the next part ends elsewhere, and at the end as the ca
   const axis = shownAxis(view, "Axis 2", { ...trace, least: [0, 0, 0], largest: [0, 0, 9] });
   expect([0, 1, 2].map((part) => isMoving(axis, part))).toEqual([false, true, false]);
   expect(isMoving({ ...axis, moving: true }, 2)).toBe(true);
+});
+
+const pins = new Map(
+  [
+    { name: "limit_positive[2]", least: [0, 0, 1], largest: [0, 1, 1] },
+    { name: "gpo[3]", least: [0, 0, 0], largest: [0, 1, 1] },
+    { name: "gpo[4]", least: [0, 0, 0], largest: [0, 0, 0] },
+  ].map((each) => [each.name, each]),
+);
+
+test("a stage reaches as far as its switches, which are what they were at the ends of the parts", () => {
+  const limit = { type: "limit_positive", index: 2, place: 30_000, on: true };
+  const home = { type: "home", index: 2, place: -500, on: false };
+  const axis = shownAxis({ ...view, switches: [limit, home] }, "Axis 2", trace, pins);
+  expect(axis.switches).toEqual([
+    { place: 30_000, on: [false, true, true] },
+    { place: -500, on: [] },
+  ]);
+  expect(axis.reach.least).toBeLessThanOrEqual(-500);
+  expect(axis.reach.largest).toBeGreaterThanOrEqual(30_000);
+});
+
+test("lamps are the pins that the machine names, or the outputs that were on", () => {
+  expect(lampsOf([{ type: "gpo", index: 4, name: "Valve" }], pins)).toEqual([
+    { name: "Valve", on: [false, false, false] },
+  ]);
+  expect(lampsOf([], pins)).toEqual([{ name: "DO 3", on: [false, true, false] }]);
 });
 
 test("a carriage shows the encoder of its axis, if there is one", () => {

@@ -35,6 +35,8 @@ export interface Drive {
 
 export interface AxisSwitch {
   type: string;
+  /** Its pin in the word of that type, from 1 on. */
+  index: number;
   /** In the unit of the axis. */
   place: number;
   on: boolean;
@@ -98,7 +100,7 @@ function switchesOf(card: Card, axis: number): AxisSwitch[] {
   return card.switches.flatMap(({ axis: its, type, index, from, to }) => {
     const place = from ?? to;
     if (its !== axis || place === undefined) return [];
-    return [{ type, place, on: pin(card, type, index) }];
+    return [{ type, index, place, on: pin(card, type, index) }];
   });
 }
 

@@ -26,7 +26,12 @@ export function paintFrame(
   const pen = new Pen(context, look);
   pen.fill({ left: 0, top: 0, width: frameWidth, height: frameHeight }, look.ground);
   paintHead(pen, run, timeMs);
-  const { machine, scope } = layoutOf(run.axes.length, run.isTable, run.curves.length);
+  const { machine, scope } = layoutOf(
+    run.axes.length,
+    run.isTable,
+    run.lamps.length,
+    run.curves.length,
+  );
   pen.fill(machine, look.surface, panelRadius);
   paintMachine(pen, run, timeMs, machine);
   if (scope) {

@@ -22,9 +22,13 @@ export const footHeight = 40;
 
 const stageHeight = 88;
 const rowHeight = 28;
+const lampHeight = 24;
+/** The lamps stand so far from the edge of their panel, and take so much of what it holds. */
+const lampMargin = 8;
+const lampsTake = lampHeight + lampMargin - padding;
 const columnGap = 32;
 /** The machine leaves this height for the scope. */
-const leastScope = 236;
+const leastScope = 230;
 
 export interface FrameLayout {
   machine: Box;
@@ -32,8 +36,13 @@ export interface FrameLayout {
   scope?: Box;
 }
 
-/** The machine is as high as its axes need, the scope takes the rest. */
-export function layoutOf(axes: number, isTable: boolean, curves: number): FrameLayout {
+/** The machine is as high as its axes and its lamps need, the scope takes the rest. */
+export function layoutOf(
+  axes: number,
+  isTable: boolean,
+  lamps: number,
+  curves: number,
+): FrameLayout {
   const all = {
     left: margin,
     top: headHeight,
@@ -43,7 +52,8 @@ export function layoutOf(axes: number, isTable: boolean, curves: number): FrameL
   if (curves === 0) return { machine: all };
   const most = all.height - gap - leastScope;
   const needed = axes > mostStages ? Math.ceil(axes / 2) * rowHeight : axes * stageHeight;
-  const height = isTable ? most : Math.min(most, needed + 2 * padding);
+  const below = lamps > 0 ? lampsTake : 0;
+  const height = isTable ? most : Math.min(most, needed + below + 2 * padding);
   const top = all.top + height + gap;
   const scope = { ...all, top, height: all.top + all.height - top };
   return { machine: { ...all, height }, scope };
@@ -58,6 +68,26 @@ export function inside({ left, top, width, height }: Box): Box {
     height: height - 2 * padding,
   };
 }
+
+/** What is left for the axes in the machine's panel, and a box for each lamp in a row below. */
+export function layoutOfMachine(lamps: number, panel: Box): { axes: Box; lamps: Box[] } {
+  const all = inside(panel);
+  if (lamps === 0) return { axes: all, lamps: [] };
+  const height = all.height - lampsTake;
+  const width = all.width / Math.max(lamps, leastLamps);
+  return {
+    axes: { ...all, height },
+    lamps: Array.from({ length: lamps }, (_, index) => ({
+      left: all.left + index * width,
+      top: all.top + height,
+      width,
+      height: lampHeight,
+    })),
+  };
+}
+
+/** Few lamps stand as close as so many. */
+const leastLamps = 4;
 
 /** Whether each axis has a stage; otherwise a row. */
 export function hasStages(axes: number): boolean {

@@ -1,8 +1,9 @@
-// The machine of a frame: a table with its trail and its axes, or a stage or row for each axis.
+// The machine of a frame: a table with its trail and its axes, or a stage or row for each axis; below
+// them its lamps.
 
 import { placeOn, positionNumber, trailOf } from "../machine/axes.js";
 import { number } from "../texts/number.js";
-import { type Box, boxesOfAxes, hasStages, inside, layoutOfTable } from "./layout.js";
+import { type Box, boxesOfAxes, hasStages, layoutOfMachine, layoutOfTable } from "./layout.js";
 import { channelOf } from "./look.js";
 import type { Pen } from "./pen.js";
 import { isMoving, partAt, type ShownAxis, type ShownRun } from "./run.js";
@@ -10,9 +11,9 @@ import { isMoving, partAt, type ShownAxis, type ShownRun } from "./run.js";
 export function paintMachine(pen: Pen, run: ShownRun, timeMs: number, panel: Box): void {
   const { axes, endMs, isTable } = run;
   const part = partAt(timeMs, endMs, axes[0]?.positions.length ?? 1);
-  const all = inside(panel);
+  const places = layoutOfMachine(run.lamps.length, panel);
   const [x, y] = axes;
-  const box = isTable && x && y ? paintTable(pen, [x, y], part, all) : all;
+  const box = isTable && x && y ? paintTable(pen, [x, y], part, places.axes) : places.axes;
   const boxes = boxesOfAxes(axes.length, box);
   axes.forEach((axis, index) => {
     const its = boxes[index];
@@ -20,6 +21,22 @@ export function paintMachine(pen: Pen, run: ShownRun, timeMs: number, panel: Box
     if (hasStages(axes.length)) paintStage(pen, axis, part, its);
     else paintRow(pen, axis, part, its);
   });
+  run.lamps.forEach(({ name, on }, index) => {
+    const its = places.lamps[index];
+    if (its) paintLamp(pen, name, on[part] ?? false, its);
+  });
+}
+
+const lampRadius = 6;
+
+function paintLamp(pen: Pen, name: string, isOn: boolean, box: Box): void {
+  const { look } = pen;
+  const middle = box.top + box.height - 2 * lampRadius;
+  const at = [box.left + lampRadius, middle] as const;
+  pen.dot(at, lampRadius, isOn ? look["now-line"] : look["metal-3"]);
+  pen.dot(at, lampRadius - 1.5, isOn ? look.now : look.surface);
+  const text = [box.left + 3 * lampRadius, middle] as const;
+  pen.write(name, text, { size: 14, most: box.width - 4 * lampRadius });
 }
 
 const quarters = [0, 0.25, 0.5, 0.75, 1];
@@ -122,6 +139,9 @@ function paintStage(pen: Pen, axis: ShownAxis, part: number, box: Box): void {
     const text = number(least + place * (largest - least), 1);
     pen.write(text, [x, rail + 31], { size: 12, colour: look.muted, align: "center" });
   });
+  for (const { place, on } of axis.switches) {
+    paintSwitch(pen, onRail(placeOn(axis.reach, place)), rail, on[part] ?? false);
+  }
   const colour = colourOf(pen, axis);
   pen.line([at, rail + 10], [at, rail + 22], colour, 2);
   pen.fill({ left: at - 22, top: rail - 17, width: 44, height: 28 }, colour, 4);
@@ -129,6 +149,18 @@ function paintStage(pen: Pen, axis: ShownAxis, part: number, box: Box): void {
   pen.line([at - 14, rail - 7], [at + 14, rail - 7], look.surface);
   pen.line([at - 14, rail + 1], [at + 14, rail + 1], look.surface);
   context.globalAlpha = 1;
+}
+
+function paintSwitch(pen: Pen, at: number, rail: number, isOn: boolean): void {
+  const { look } = pen;
+  const edge = isOn ? look["now-line"] : look["metal-3"];
+  pen.line([at, rail - 17], [at, rail + 5], look["metal-3"]);
+  pen.fill({ left: at - 5, top: rail - 26, width: 10, height: 9 }, edge, 2);
+  pen.fill(
+    { left: at - 3.5, top: rail - 24.5, width: 7, height: 6 },
+    isOn ? look.now : look.surface,
+    1,
+  );
 }
 
 /** Of a row: its name and its position stand at its ends. */

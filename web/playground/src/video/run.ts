@@ -15,7 +15,15 @@ export interface ShownRun {
   axes: readonly ShownAxis[];
   /** The first two axes move a table. */
   isTable: boolean;
+  /** Below the axes. */
+  lamps: readonly Lamp[];
   curves: readonly Curve[];
+}
+
+/** What can only be on or off, and whether it is at the end of each part of the run. */
+export interface Lamp {
+  name: string;
+  on: readonly boolean[];
 }
 
 export interface ShownAxis {
@@ -26,6 +34,8 @@ export interface ShownAxis {
   positions: readonly number[];
   /** At the end of the run. */
   moving: boolean;
+  /** Those that the scenario has, at their places. */
+  switches: readonly { place: number; on: readonly boolean[] }[];
   reach: Reach;
 }
 
@@ -48,14 +58,45 @@ export function carriageOf(axis: number, names: ReadonlySet<string>): string {
   return names.has(encoder) ? encoder : `axis${axis}.prfPos`;
 }
 
-/** An axis with the trace of its position. */
+/** An axis with the trace of its position, and those of its switches by their names. */
 export function shownAxis(
-  { axis, positionUnit: unit, moving }: AxisView,
+  { axis, positionUnit: unit, moving, switches: its }: AxisView,
   name: string,
   trace: Channel,
+  pins: ReadonlyMap<string, Channel> = new Map(),
 ): ShownAxis {
   const positions = endsOf(trace);
-  return { axis, name, unit, positions, moving, reach: grownTo(undefined, positions, unit) };
+  const switches = its.map(({ type, index, place }) => ({ place, on: onOf(pins, type, index) }));
+  const places = [...positions, ...switches.map(({ place }) => place)];
+  return { axis, name, unit, positions, moving, switches, reach: grownTo(undefined, places, unit) };
+}
+
+/** The name of a pin in traces. */
+export function pinName(type: string, index: number): string {
+  return `${type}[${index}]`;
+}
+
+/** Nothing of a pin without a trace: it is off. */
+function onOf(pins: ReadonlyMap<string, Channel>, type: string, index: number): boolean[] {
+  const trace = pins.get(pinName(type, index));
+  return trace ? endsOf(trace).map((level) => level !== 0) : [];
+}
+
+/** More lamps have no room beside each other. */
+const mostLamps = 8;
+
+/** The pins that the machine names; without such the general outputs that were on at a time. */
+export function lampsOf(
+  named: readonly { type: string; index: number; name: string }[],
+  pins: ReadonlyMap<string, Channel>,
+): Lamp[] {
+  const lamps = named.map(({ type, index, name }) => ({ name, on: onOf(pins, type, index) }));
+  const outputs = [...pins].flatMap(([pin, trace]) => {
+    const index = /^gpo\[(\d+)\]$/.exec(pin)?.[1];
+    const on = endsOf(trace).map((level) => level !== 0);
+    return index !== undefined && on.includes(true) ? [{ name: `DO ${index}`, on }] : [];
+  });
+  return (named.length > 0 ? lamps : outputs).slice(0, mostLamps);
 }
 
 /** Whether it moves at the end of a part. */

@@ -1,18 +1,19 @@
 // The run of the session as its frames show it. Nothing on the card is moved for it.
 
-import { RefusedError } from "@oncard/engine";
+import { type Card, RefusedError } from "@oncard/engine";
 
 import type { AxisView, TableAxes } from "../machine/axes.js";
 import { machine } from "../machine/now.js";
 import { tableOf } from "../machine/view.js";
 import { unitsOf } from "../scope/channels.js";
+import { pinNames } from "../scope/digital.js";
 import { scope } from "../scope/settings.js";
 import { bench, present, session } from "../session/bench.js";
 import { record } from "../session/record.js";
 import { settings } from "../store/settings.js";
 import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { carriageOf, curvesOf, shownAxis, type ShownRun } from "./run.js";
+import { carriageOf, curvesOf, lampsOf, pinName, shownAxis, type ShownRun } from "./run.js";
 
 /** The time of a run is divided into so many parts: about a pixel of the screen. */
 const parts = 900;
@@ -47,16 +48,35 @@ export async function runNow(): Promise<ShownRun | undefined> {
   const moved = await engine.trace(positions, 0, endMs, parts);
   const traced =
     names.length === 0 ? [] : await engine.trace(names, 0, endMs, parts).catch(withoutCurves);
+  const wanted = shownPins(card, axes);
+  const pins = wanted.length === 0 ? [] : await engine.trace(wanted, 0, endMs, parts);
+  const pinTraces = new Map(pins.map((trace) => [trace.name, trace]));
   return {
     title: record.peek() ? t.record.title : source.lesson.peek().title[settings.language.peek()],
     endMs,
     axes: axes.flatMap((axis, index) => {
       const trace = moved[index];
-      return trace ? [shownAxis(axis, t.machine.axis(axis.axis), trace)] : [];
+      return trace ? [shownAxis(axis, t.machine.axis(axis.axis), trace, pinTraces)] : [];
     }),
     isTable: table !== undefined,
+    lamps: lampsOf(card.view.pins, pinTraces),
     curves: curvesOf(traced, channels, unitsOf(card), endMs, t.scope.scaleOf),
   };
+}
+
+/** The pins of switches, and those of which one may become a lamp. */
+function shownPins(card: Card, axes: readonly AxisView[]): string[] {
+  const named = card.view.pins.map(({ type, index }) => pinName(type, index));
+  const outputs = card.words.find(({ name }) => name === "gpo")?.pins ?? 0;
+  const lamps =
+    named.length > 0
+      ? named
+      : Array.from({ length: outputs }, (_, index) => pinName("gpo", index + 1));
+  const switches = axes.flatMap((axis) =>
+    axis.switches.map(({ type, index }) => pinName(type, index)),
+  );
+  const known = new Set(pinNames(card, present.globals.peek()));
+  return [...new Set([...lamps, ...switches])].filter((name) => known.has(name));
 }
 
 /** The axes of a table are the first ones of its run. */
