@@ -245,6 +245,12 @@ function KeysDialog({ onClose }: { onClose: () => void }) {
               <kbd>Esc</kbd>
             </td>
           </tr>
+          <tr>
+            <th scope="row">{t.others}</th>
+            <td>
+              <kbd>Esc</kbd>
+            </td>
+          </tr>
         </tbody>
       </table>
     </Dialog>

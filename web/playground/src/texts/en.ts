@@ -76,6 +76,7 @@ export const en = {
     describe: "What the name at the cursor is",
     complete: "Words that can stand at the cursor",
     escape: "Leave the editor: then Tab moves on",
+    others: "Back from a panel that fills the page",
     tab: "Indent in the editor",
   },
 

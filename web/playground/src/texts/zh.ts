@@ -77,6 +77,7 @@ export const zh: Texts = {
     describe: "光标处的名称是什么",
     complete: "光标处可以写的词",
     escape: "离开编辑器：之后 Tab 移到下一处",
+    others: "从填满页面的面板返回",
     tab: "在编辑器中缩进",
   },
 
