@@ -176,7 +176,9 @@ test("the menu of the bar is walked through with keys", async ({ page }) => {
   await page.mouse.click(400, 500);
   await expect(items).toHaveCount(0);
   await fromMenu(page, "Keys");
-  await expect(page.getByRole("dialog", { name: "Keys" })).toBeVisible();
+  const rows = page.getByRole("dialog", { name: "Keys" }).getByRole("row");
+  await expect(rows.filter({ hasText: "To the next panel" })).toContainText("F6");
+  await expect(rows.filter({ hasText: "a panel that fills the page" })).toContainText("Esc");
 });
 
 test("the clock says what the card does, and a note only what is more", async ({ page }) => {

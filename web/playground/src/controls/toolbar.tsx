@@ -15,7 +15,7 @@ import { ShareDialog } from "../share/share_dialog.js";
 import { placesOf, resetPlaces } from "../store/places.js";
 import { chooseLanguage, chooseTheme, settings, themes } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
-import { type Action, actions, ariaKeys, keyText } from "./actions.js";
+import { type Action, actions, ariaKeys, keys, keyText } from "./actions.js";
 import { Clock } from "./clock.js";
 import { Menu } from "./menu.js";
 import { Speed } from "./speed.js";
@@ -205,52 +205,26 @@ function RecordInput({ input }: { input: Ref<HTMLInputElement> }) {
 
 function KeysDialog({ onClose }: { onClose: () => void }) {
   const { keys: t } = texts.value;
-  const rows: Action[] = [
-    ...(["run", "start", "step", "back", "cycle", "cycleBack"] as const),
-    ...(["breakpoint", "slower", "faster", "explore", "check"] as const),
+  const rows = [
+    ...(Object.keys(keys) as Action[]).map((action) => [t[action], keyText(action)] as const),
+    [t.describe, "F1"] as const,
+    [t.complete, "Ctrl+Space"] as const,
+    [t.tab, "Tab"] as const,
+    [t.escape, "Esc"] as const,
+    [t.others, "Esc"] as const,
   ];
   return (
     <Dialog title={t.title} onClose={onClose}>
       <table class="values">
         <tbody>
-          {rows.map((action) => (
-            <tr key={action}>
-              <th scope="row">{t[action]}</th>
+          {rows.map(([text, key]) => (
+            <tr key={text}>
+              <th scope="row">{text}</th>
               <td>
-                <kbd>{keyText(action)}</kbd>
+                <kbd>{key}</kbd>
               </td>
             </tr>
           ))}
-          <tr>
-            <th scope="row">{t.describe}</th>
-            <td>
-              <kbd>F1</kbd>
-            </td>
-          </tr>
-          <tr>
-            <th scope="row">{t.complete}</th>
-            <td>
-              <kbd>Ctrl+Space</kbd>
-            </td>
-          </tr>
-          <tr>
-            <th scope="row">{t.tab}</th>
-            <td>
-              <kbd>Tab</kbd>
-            </td>
-          </tr>
-          <tr>
-            <th scope="row">{t.escape}</th>
-            <td>
-              <kbd>Esc</kbd>
-            </td>
-          </tr>
-          <tr>
-            <th scope="row">{t.others}</th>
-            <td>
-              <kbd>Esc</kbd>
-            </td>
-          </tr>
         </tbody>
       </table>
     </Dialog>
