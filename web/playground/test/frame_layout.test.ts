@@ -49,7 +49,7 @@ test.each(counts.flatMap((axes) => [0, 1, 3, 16, 40].map((curves) => [axes, curv
     expect(boxes).toHaveLength(axes);
     for (const [index, its] of boxes.entries()) {
       expect(isIn(its, box)).toBe(true);
-      expect(its.height).toBeGreaterThanOrEqual(axes > 4 ? 20 : 78);
+      expect(its.height).toBeGreaterThanOrEqual(axes > 4 ? 20 : 80);
       for (const other of boxes.slice(index + 1)) expect(isApart(its, other)).toBe(true);
     }
     expect(scope === undefined).toBe(curves === 0);

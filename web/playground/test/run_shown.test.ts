@@ -54,10 +54,15 @@ test("a stage reaches as far as its switches, which are what they were at the en
 });
 
 test("lamps are the pins that the machine names, or the outputs that were on", () => {
-  expect(lampsOf([{ type: "gpo", index: 4, name: "Valve" }], pins)).toEqual([
+  const gpo = { name: "gpo", value: 0, pins: 16, kind: "output" as const };
+  const look = { title: "", kind: "auto" as const, x: 0, y: 0, z: 0, turn: 0, pins: [] };
+  const valve = { type: "gpo", index: 4, name: "Valve" };
+  expect(lampsOf({ view: { ...look, pins: [valve] }, words: [gpo] }, pins)).toEqual([
     { name: "Valve", on: [false, false, false] },
   ]);
-  expect(lampsOf([], pins)).toEqual([{ name: "DO 3", on: [false, true, false] }]);
+  expect(lampsOf({ view: look, words: [gpo] }, pins)).toEqual([
+    { name: "DO 3", on: [false, true, false] },
+  ]);
 });
 
 test("a carriage shows the encoder of its axis, if there is one", () => {

@@ -52,7 +52,7 @@ export function Pins({ word, words, onInput }: PinsProps) {
 /** How terminals are marked. */
 const marks: Record<string, string | undefined> = { gpo: "DO", gpi: "DI" };
 
-function terminalOf(type: string, index: number): string {
+export function terminalOf(type: string, index: number): string {
   return `${marks[type] ?? type} ${index}`;
 }
 

@@ -9,12 +9,17 @@ function isHidden(name: string, variables: Variable[]): boolean {
   return variables.some(({ path }) => path === name);
 }
 
+/** The name of a pin, which counts from 1. */
+export function pinName(word: string, pin: number): string {
+  return `${word}[${pin}]`;
+}
+
 /** The pins of all words, from 1 on: `gpo[1]`. */
 export function pinNames(card: Card | undefined, variables: Variable[]): string[] {
   return (card?.words ?? [])
     .filter(({ name }) => !isHidden(name, variables))
     .flatMap(({ name, pins }) =>
-      Array.from({ length: pins }, (_, index) => `${name}[${index + 1}]`),
+      Array.from({ length: pins }, (_, index) => pinName(name, index + 1)),
     );
 }
 

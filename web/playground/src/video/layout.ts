@@ -28,7 +28,7 @@ const lampMargin = 8;
 const lampsTake = lampHeight + lampMargin - padding;
 const columnGap = 32;
 /** The machine leaves this height for the scope. */
-const leastScope = 230;
+const leastScope = 224;
 
 export interface FrameLayout {
   machine: Box;
@@ -69,6 +69,9 @@ export function inside({ left, top, width, height }: Box): Box {
   };
 }
 
+/** Few lamps stand as close as so many. */
+const leastLamps = 4;
+
 /** What is left for the axes in the machine's panel, and a box for each lamp in a row below. */
 export function layoutOfMachine(lamps: number, panel: Box): { axes: Box; lamps: Box[] } {
   const all = inside(panel);
@@ -85,9 +88,6 @@ export function layoutOfMachine(lamps: number, panel: Box): { axes: Box; lamps: 
     })),
   };
 }
-
-/** Few lamps stand as close as so many. */
-const leastLamps = 4;
 
 /** Whether each axis has a stage; otherwise a row. */
 export function hasStages(axes: number): boolean {

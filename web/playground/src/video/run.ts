@@ -1,10 +1,12 @@
 // What the frames of a run show, from traces of it.
 // Tested by test/run_shown.test.ts.
 
-import type { Channel } from "@oncard/engine";
+import type { Card, Channel, MachineLook } from "@oncard/engine";
 
 import { type AxisView, endsOf, grownTo, type Reach } from "../machine/axes.js";
 import { envelope, type Setting, type Units, unitsPerDivision } from "../scope/channels.js";
+import { terminalOf } from "../machine/pins.js";
+import { pinName } from "../scope/digital.js";
 import { number } from "../texts/number.js";
 
 /** From the start of the run to the present. */
@@ -71,32 +73,35 @@ export function shownAxis(
   return { axis, name, unit, positions, moving, switches, reach: grownTo(undefined, places, unit) };
 }
 
-/** The name of a pin in traces. */
-export function pinName(type: string, index: number): string {
-  return `${type}[${index}]`;
-}
-
 /** Nothing of a pin without a trace: it is off. */
 function onOf(pins: ReadonlyMap<string, Channel>, type: string, index: number): boolean[] {
   const trace = pins.get(pinName(type, index));
   return trace ? endsOf(trace).map((level) => level !== 0) : [];
 }
 
+/** The pins that may become lamps: those that the machine names, without such its general outputs. */
+export function lampPins({ view, words }: Pick<Card, "view" | "words">): MachineLook["pins"] {
+  if (view.pins.length > 0) return view.pins;
+  const outputs = words.find(({ name }) => name === "gpo")?.pins ?? 0;
+  return Array.from({ length: outputs }, (_, index) => {
+    const pin = { type: "gpo", index: index + 1 };
+    return { ...pin, name: terminalOf(pin.type, pin.index) };
+  });
+}
+
 /** More lamps have no room beside each other. */
 const mostLamps = 8;
 
-/** The pins that the machine names; without such the general outputs that were on at a time. */
+/** Outputs without a name of their own are lamps if they were on at a time. */
 export function lampsOf(
-  named: readonly { type: string; index: number; name: string }[],
+  card: Pick<Card, "view" | "words">,
   pins: ReadonlyMap<string, Channel>,
 ): Lamp[] {
-  const lamps = named.map(({ type, index, name }) => ({ name, on: onOf(pins, type, index) }));
-  const outputs = [...pins].flatMap(([pin, trace]) => {
-    const index = /^gpo\[(\d+)\]$/.exec(pin)?.[1];
-    const on = endsOf(trace).map((level) => level !== 0);
-    return index !== undefined && on.includes(true) ? [{ name: `DO ${index}`, on }] : [];
-  });
-  return (named.length > 0 ? lamps : outputs).slice(0, mostLamps);
+  const areNamed = card.view.pins.length > 0;
+  return lampPins(card)
+    .map(({ type, index, name }) => ({ name, on: onOf(pins, type, index) }))
+    .filter(({ on }) => areNamed || on.includes(true))
+    .slice(0, mostLamps);
 }
 
 /** Whether it moves at the end of a part. */

@@ -6,14 +6,14 @@ import type { AxisView, TableAxes } from "../machine/axes.js";
 import { machine } from "../machine/now.js";
 import { tableOf } from "../machine/view.js";
 import { unitsOf } from "../scope/channels.js";
-import { pinNames } from "../scope/digital.js";
+import { pinName, pinNames } from "../scope/digital.js";
 import { scope } from "../scope/settings.js";
 import { bench, present, session } from "../session/bench.js";
 import { record } from "../session/record.js";
 import { settings } from "../store/settings.js";
 import { source } from "../store/source.js";
 import { texts } from "../texts/texts.js";
-import { carriageOf, curvesOf, lampsOf, pinName, shownAxis, type ShownRun } from "./run.js";
+import { carriageOf, curvesOf, lampPins, lampsOf, shownAxis, type ShownRun } from "./run.js";
 
 /** The time of a run is divided into so many parts: about a pixel of the screen. */
 const parts = 900;
@@ -59,24 +59,16 @@ export async function runNow(): Promise<ShownRun | undefined> {
       return trace ? [shownAxis(axis, t.machine.axis(axis.axis), trace, pinTraces)] : [];
     }),
     isTable: table !== undefined,
-    lamps: lampsOf(card.view.pins, pinTraces),
+    lamps: lampsOf(card, pinTraces),
     curves: curvesOf(traced, channels, unitsOf(card), endMs, t.scope.scaleOf),
   };
 }
 
-/** The pins of switches, and those of which one may become a lamp. */
+/** The pins of switches, and those that may become lamps. */
 function shownPins(card: Card, axes: readonly AxisView[]): string[] {
-  const named = card.view.pins.map(({ type, index }) => pinName(type, index));
-  const outputs = card.words.find(({ name }) => name === "gpo")?.pins ?? 0;
-  const lamps =
-    named.length > 0
-      ? named
-      : Array.from({ length: outputs }, (_, index) => pinName("gpo", index + 1));
-  const switches = axes.flatMap((axis) =>
-    axis.switches.map(({ type, index }) => pinName(type, index)),
-  );
-  const known = new Set(pinNames(card, present.globals.peek()));
-  return [...new Set([...lamps, ...switches])].filter((name) => known.has(name));
+  const wanted = [...lampPins(card), ...axes.flatMap(({ switches }) => switches)];
+  const names = new Set(wanted.map(({ type, index }) => pinName(type, index)));
+  return pinNames(card, present.globals.peek()).filter((name) => names.has(name));
 }
 
 /** The axes of a table are the first ones of its run. */
